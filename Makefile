@@ -135,7 +135,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
-  long-turns-24 long-route-3 long-route-6 long-route-24 long-maps long-order \
+  long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
   long-coverage long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
@@ -215,6 +215,9 @@ long-route-6: build ## the same, 6 m wide and reversing
 	$(ROUTES) 6 6 reversing
 long-route-24: build ## the same, 24 m wide and 8 m radius
 	$(ROUTES) 24 8 forward
+
+long-whole-plans: build ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, and than random layouts
+	$(LIMIT) $(RELEASE)/tests/real/whole_plans 6 6 forward 3 30
 
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real

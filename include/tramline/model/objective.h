@@ -54,6 +54,9 @@ struct WholeCost {
 
   double time_s() const { return working_s + headland_s + turning_s + transit_s; }
   double not_working_s() const { return turning_s + transit_s; }
+  /// Sums of two jobs. Their field efficiency follows from land, which is not known here: it stays.
+  WholeCost& operator+=(const WholeCost& other);
+
   double euros() const { return hours + fuel + overlap + missed + stops + driven_over; }
 };
 

@@ -6,7 +6,8 @@ namespace tramline {
 namespace {
 
 /// What is usual for an operation: prices of docs/prices.md, speeds near the typical ones of ASAE D497.7
-/// (table 3), fuel near Iowa State University Extension A3-27 (gallons per acre).
+/// (table 3), fuel near Iowa State University Extension A3-27 (gallons per acre). In general nobody knows
+/// what is worked, so input and margin are about the means of those from seeding to harvest.
 struct Usual {
   Operation operation;
   const char* name;
@@ -19,7 +20,7 @@ struct Usual {
 };
 
 constexpr std::array<Usual, 9> kUsual{{
-    {Operation::kGeneral, "general", 2.5, 90, 5, 200, 1000, false},
+    {Operation::kGeneral, "general", 2.5, 90, 5, 50, 700, false},
     {Operation::kSeeding, "seeding", 2.2, 90, 3.5, 110, 1000, false},
     {Operation::kSpraying, "spraying", 2.9, 120, 1, 60, 400, true},
     {Operation::kSpreading, "spreading", 3.1, 100, 1.5, 150, 500, true},

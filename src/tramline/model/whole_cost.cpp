@@ -52,4 +52,19 @@ WholeCost whole_cost(const Plan& plan) {
   return out;
 }
 
+WholeCost& WholeCost::operator+=(const WholeCost& other) {
+  working_s += other.working_s;
+  headland_s += other.headland_s;
+  turning_s += other.turning_s;
+  transit_s += other.transit_s;
+  fuel_l += other.fuel_l;
+  hours += other.hours;
+  fuel += other.fuel;
+  overlap += other.overlap;
+  missed += other.missed;
+  stops += other.stops;
+  driven_over += other.driven_over;
+  return *this;
+}
+
 }  // namespace tramline

@@ -221,30 +221,52 @@ std::optional<Plan> layout_behind_passes(const PlanningProblem& bare, int passes
   return finished_plan(SearchTask(bare, prepared->field), std::move(found), context.for_layout());
 }
 
+/// The plan where the headlands that were asked for leave no room for tracks: there is nothing for turns to
+/// decide.
+ExplainedPlan planned_without_tracks(const PlanningProblem& problem, const SearchContext& context) {
+  PlanningProblem as_asked =
+      headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
+  as_asked.settings.turns = problem.settings.turns;
+  return {searched(as_asked, context, Explain::kNo).plan, std::nullopt};
+}
+
 ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, const SearchContext& context) {
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const Plan layout = searched(bare, context.for_layout(), Explain::kNo).plan;
+  if (layout.subfields.empty()) return planned_without_tracks(problem, context);
   const auto behind_passes = [&](int passes) { return layout_behind_passes(bare, passes, context); };
   return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
 }
 
-/// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do.
-Plan layout_to_begin_with(const PlanningProblem& problem, const SearchContext& context) {
-  PlanningProblem bare = headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
+bool has_curves(const Plan& plan) {
+  return std::any_of(plan.subfields.begin(), plan.subfields.end(),
+                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
+}
+
+/// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do: of
+/// straight tracks, and with curves where these cost less.
+std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const SearchContext& context) {
+  PlanningProblem bare =
+      headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
   bare.settings.turns = TurnPlanning::kNone;
-  return searched(bare, context.for_layout().without_bound(), Explain::kNo).plan;
+  const auto layout_of = [&](TrackShape shape) {
+    return searched(with_shape(bare, shape), context.for_layout().without_bound(), Explain::kNo).plan;
+  };
+  std::vector<Plan> out{layout_of(bare.settings.shape)};
+  if (has_curves(out.front())) out.insert(out.begin(), layout_of(TrackShape::kStraight));
+  return out;
 }
 
 ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
-  const Plan layout = layout_to_begin_with(problem, context);
+  const std::vector<Plan> layouts = layouts_to_begin_with(problem, context);
+  if (layouts.front().subfields.empty()) return planned_without_tracks(problem, context);
   const auto room_for_turns = [&] {
-    return headlands_follow_turns(problem.settings)
-               ? planned_with_headlands_for_turns(problem, context).plan
-               : searched(problem, context, Explain::kNo).plan;
+    return headlands_follow_turns(problem.settings) ? planned_with_headlands_for_turns(problem, context).plan
+                                                    : searched(problem, context, Explain::kNo).plan;
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
-  ComparedRoutes compared = cheapest_route(problem, layout, room_for_turns, compare, context);
+  ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, context);
   return {std::move(compared.plan), std::nullopt, std::move(compared.all)};
 }
 

@@ -28,8 +28,8 @@ class SearchContext {
   SearchContext for_layout() const;
   bool wants_layout_only() const { return layout_only_; }
 
-  /// A context for a search that need not prove how near its result is to the best: it leaves out branch and
-  /// bound, which rarely finds anything cheaper.
+  /// A context for a search that need not prove how near its result is to the best: it leaves out what
+  /// takes long and rarely finds anything cheaper: branch and bound, and the plans of the sweep.
   SearchContext without_bound() const;
   bool wants_bound() const { return bound_; }
 

@@ -49,7 +49,7 @@ void warn_of_narrow_ground(const Plan& plan, std::vector<std::string>& out) {
   for (const HeadlandPass& pass : plan.headland.passes)
     if (pass.around_field) most = std::max(most, pass.number);
   const int asked = plan.settings.headlands;
-  if (most < asked)
+  if (plan.settings.headland_rule == HeadlandRule::kPasses && most < asked)
     out.push_back(fmt::format("{} headland passes round the field were asked for, and there is room for {}",
                               asked, most));
   if (plan.pieces.empty() && !plan.headland.passes.empty())

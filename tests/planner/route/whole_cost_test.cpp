@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/whole/route_floor.h"
+#include "tramline/planner/whole/track_prices.h"
+#include "tramline/route/turning/turning_land.h"
 
 namespace tramline {
 namespace {
@@ -31,13 +36,13 @@ PlanSettings automatic_headlands() {
 
 // Half an hour at work, a quarter of an hour on the headland, 10 minutes of turns and 5 of transit: 1 h.
 // Fuel 20 l/h · (45 + 15/2) min = 17.5 l. 200 m² twice with 4 sections: 200/10,000 · 100/4 = 0.50 €; 50 m²
-// missed at 1,000 €/ha: 5 €. 100 m over crop: 100 · 1.2/10,000 · 1,000 = 12 €.
+// missed at 1,000 €/ha: 5 €. One leg backs out: 7 €. 100 m over crop: 100 · 1.2/10,000 · 1,000 = 12 €.
 TEST(WholeCost, IsWhatIsCalculatedByHand) {
   Plan plan;
   plan.field = bare_field(100, 100);
   plan.body = {{plan.field.outer, {}}};
   plan.machine.width_m = 3;
-  plan.machine.rates = {Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000};
+  plan.machine.rates = {Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000, 7};
   plan.tally.overlap_m2 = 200;
   plan.tally.uncovered_m2 = 50;
   plan.route.over_tracks_m = 100;
@@ -53,8 +58,9 @@ TEST(WholeCost, IsWhatIsCalculatedByHand) {
   EXPECT_DOUBLE_EQ(cost.fuel, 26.25);
   EXPECT_DOUBLE_EQ(cost.overlap, 0.5);
   EXPECT_DOUBLE_EQ(cost.missed, 5);
+  EXPECT_DOUBLE_EQ(cost.stops, 7);
   EXPECT_DOUBLE_EQ(cost.driven_over, 12);
-  EXPECT_DOUBLE_EQ(cost.euros(), 60 + 26.25 + 0.5 + 5 + 12);
+  EXPECT_DOUBLE_EQ(cost.euros(), 60 + 26.25 + 0.5 + 5 + 7 + 12);
   // 9,950 m² in an hour, and 3 m · 2.5 m/s · 3,600 s = 27,000 m² without a turn.
   EXPECT_NEAR(cost.field_efficiency, 9950.0 / 27000, 1e-12);
 }
@@ -83,11 +89,41 @@ TEST(CheapestRoute, CostsNoMoreThanThePlanOfLeastCost) {
     EXPECT_LE(whole_cost(whole.plan).euros(), whole_cost(least).euros() + 1e-9);
     EXPECT_EQ(whole.plan.proof.bound, 0);
     ASSERT_GE(whole.routes.size(), 2U);
-    EXPECT_DOUBLE_EQ(whole.routes.front().cost.euros(), whole_cost(least).euros());
+    EXPECT_DOUBLE_EQ(whole.routes.front().cost.euros(), whole_cost(whole.plan).euros());
     for (const RouteAlternative& other : whole.routes) {
       if (other.without_room > 0) continue;
       EXPECT_GE(other.cost.euros(), whole_cost(whole.plan).euros() - 1e-9);
     }
+  }
+}
+
+// Prices of tracks, by hand: 3 m · 2.5 m/s work 0.75 ha in 1,000 s. An hour costs 90 € and 20 l at 1.5 €:
+// 120 €/h, so that a second is 1/30 € and a m² 1/225 €. Overlap also takes 100 €/ha / 4 of input, and
+// uncovered land loses 1,000 €/ha less the work. With the work off a second costs (90 + 15)/3,600 €; half a
+// circle of 6 m at 1.5 m/s takes 4π s, and from 12 m there is no way left to the fourth track.
+TEST(TrackPrices, AreWhatIsCalculatedByHand) {
+  Machine machine;
+  machine.rates = {Operation::kGeneral, 90, 20, 1.5, 4, 100, 1000, 7};
+  const Objective prices = track_prices(machine);
+  EXPECT_NEAR(prices.overlap, 0.01 / 4 + 1.0 / 225, 1e-12);
+  EXPECT_NEAR(prices.uncovered, 0.1 - 1.0 / 225, 1e-12);
+  EXPECT_NEAR(prices.turn, 4 * std::numbers::pi * 105 / 3600, 1e-12);
+  EXPECT_EQ(prices.stop, 7);
+  // Land that loses less than its work costs is still worked.
+  machine.rates.margin_per_ha = 10;
+  EXPECT_NEAR(track_prices(machine).uncovered, 1e-4, 1e-12);
+}
+
+// No route costs less than what its plan is estimated to cost at the least.
+TEST(RouteFloor, IsBelowWhatTheRouteCosts) {
+  for (const Field& field : {bare_field(300, 120), bare_field(90, 70), bare_field(60, 400)}) {
+    PlanSettings settings = automatic_headlands();
+    settings.aim = Aim::kWholeCost;
+    const Plan plan = plan_field(field, {}, {}, settings, 1);
+    const AllowedLand land(turning_land(plan.field, plan.machine, plan.settings));
+    const double floor = route_floor(plan, land), cost = whole_cost(plan).euros();
+    EXPECT_LE(floor, cost);
+    EXPECT_GE(floor, 0.9 * cost);  // of plain rectangles little is left to chance
   }
 }
 

@@ -1,6 +1,7 @@
 #include "tramline/planner/headland_choice/relaid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -88,6 +89,7 @@ std::optional<double> origin_in(const Plan& layout, const Subfield& part) {
 
 SearchResult relaid(const PlanningProblem& problem, const PreparedField& prepared, const Plan& layout,
                     Offset offset, const SearchContext& context) {
+  assert(!layout.subfields.empty());
   const SearchTask task(problem, prepared);
   std::vector<LinedSubfield> lined;
   for (Subfield& part : parts_of(prepared.ground.plannable, layout.subfields)) {

@@ -10,32 +10,37 @@
 namespace tramline {
 namespace {
 
+/// By so much of its cost an offset may be dearer than the best where no bound is wanted.
+constexpr double kNearEnough = 0.01;
+
 /// The cheapest offset of all over land without obstacles; with obstacles, of those tracks are cut at.
-double cheapest_origin(const SearchTask& task, const Subfield& subfield, double known_m) {
+double cheapest_origin(const SearchTask& task, const Subfield& subfield, double known_m, double near_enough) {
   const GridPricing pricing(task, subfield.shape);
   const GridTally tally = pricing.tally(subfield.direction.angle().radians());
   const PricedOrigin known{known_m, separate_cost(task.objective, tally.at(known_m))};
-  return best_offset(tally, pricing.bound(), known).origin_m;
+  return best_offset(tally, pricing.bound(), known, near_enough).origin_m;
 }
 
 /// The origins to try: those of Versleijen §2.2.1 and, if the strategy looks for more, the cheapest of all
 /// and others between, since the position of tracks relative to an obstacle determines the cost of detours.
-std::vector<double> origins_to_try(const SearchTask& task, const Subfield& subfield) {
+std::vector<double> origins_to_try(const SearchTask& task, const Subfield& subfield,
+                                   const SearchContext& context) {
   std::vector<double> out;
   for (const StripGrid& grid : strip_grids(subfield, task.machine.width_m)) out.push_back(grid.origin_m);
   if (task.settings.strategy == Strategy::kSweep) return out;
-  const double cheapest_m = cheapest_origin(task, subfield, out.front());
+  const double cheapest_m =
+      cheapest_origin(task, subfield, out.front(), context.wants_bound() ? 0 : kNearEnough);
   out.insert(out.begin(), cheapest_m);
-  constexpr int kSteps = 8;
+  const int steps = context.wants_bound() ? 8 : 2;
   if (!task.ground.hazards.empty())
-    for (int k = 1; k < kSteps; ++k) out.push_back(cheapest_m + task.machine.width_m * k / kSteps);
+    for (int k = 1; k < steps; ++k) out.push_back(cheapest_m + task.machine.width_m * k / steps);
   return out;
 }
 
 }  // namespace
 
 LinedSubfield best_along(const SearchTask& task, Subfield subfield, const SearchContext& context) {
-  const std::vector<double> origins = origins_to_try(task, subfield);
+  const std::vector<double> origins = origins_to_try(task, subfield, context);
   std::vector<Candidate> candidates(origins.size());
   for_each_index(origins.size(), context, [&](std::size_t i) {
     candidates[i] = candidate_on(task, {{subfield, origins[i]}});

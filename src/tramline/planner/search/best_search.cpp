@@ -70,7 +70,8 @@ class BestSearch {
 
   SearchResult run() {
     search_parts();
-    if (!best_.works() || !context_.has_to_end()) try_swept();
+    const bool wanted = context_.wants_bound() && !context_.has_to_end();
+    if (!best_.works() || wanted) try_swept();
     if (!undivided_) out_.proof.one_direction_cost = best_.cost();
     if (undivided_ && best_.subfields.size() > task_.ground.plannable.size())
       out_.undivided = std::move(*undivided_);

@@ -19,6 +19,11 @@ namespace {
 
 /// A leg without room cannot be driven as it is planned: it is avoided at the price of so many stops.
 constexpr double kStopsWithoutRoom = 10;
+/// Tracks laid anew come near where their floor is above the least price by no more than this share.
+constexpr double kComesNear = 0.1;
+/// The share of what routes cost beyond their floors that the next one is expected to cost too.
+constexpr double kExpected = 0.4;
+constexpr std::size_t kSeldomBacksOut = 4;
 /// Obstacles lose or get their headlands one by one where there are no more of them than this.
 constexpr std::size_t kMostObstaclesAlone = 6;
 
@@ -47,20 +52,20 @@ struct Entry {
 
 class Comparison {
  public:
-  Comparison(const PlanningProblem& problem, const Plan& layout, Compare compare,
+  Comparison(const PlanningProblem& problem, const std::vector<Plan>& layouts, Compare compare,
              const SearchContext& context)
-      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layout, context) {
+      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layouts, context) {
     problem_.settings.turns = TurnPlanning::kNone;
   }
 
   ComparedRoutes cheapest(const RoomForTurns& room_for_turns) {
     for (LaidOut& laid : layouts_.to_begin_with()) add(std::move(laid));
     plan_routes();
-    if (best_) vary_depth();
-    if (best_) vary_obstacles();
-    if (compare_ == Compare::kAll) add_for_comparison();
+    if (goes_on()) vary_depth();
+    if (goes_on()) vary_obstacles();
+    if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
-    if (!best_ || !drives_everywhere()) deepened = with_room(room_for_turns);
+    if (!best_ || (goes_on() && lacks_room())) deepened = with_room(room_for_turns);
     return compared(std::move(deepened));
   }
 
@@ -69,6 +74,8 @@ class Comparison {
     const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
     entries_.push_back({std::move(laid), floor});
   }
+
+  bool goes_on() const { return best_ && !context_.has_to_end(); }
 
   double least_price() const {
     return best_ ? *entries_[*best_].price : std::numeric_limits<double>::infinity();
@@ -83,13 +90,21 @@ class Comparison {
     all_.push_back(alternative_of(entry.laid.kind, trial.draft.plan));
   }
 
-  /// Whether the entry is the cheapest so far; its route is not planned where it cannot be.
+  /// What the routes of this field cost beyond their floors at the least, so far; of that a part may be
+  /// saved by another one.
+  double least_expected(const Entry& entry) const { return entry.floor + kExpected * least_beyond_floor_; }
+
+  /// Whether the entry is the cheapest so far. Where that is not to be expected its route is planned to be
+  /// told of only, so that explaining a plan does not change it.
   bool improves(std::size_t i) {
     Entry& entry = entries_[i];
-    if (context_.cut_short() && best_) return false;
-    if (entry.floor >= least_price() && compare_ == Compare::kWhatMayWin) return false;
+    if (best_ && context_.has_to_end()) return false;
+    const bool may_win = !best_ || least_expected(entry) < least_price();
+    if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
     plan_route(entry);
+    if (!may_win) return false;
+    least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, *entry.price - entry.floor));
     if (*entry.price >= before) return false;
     best_ = i;
     return true;
@@ -111,16 +126,27 @@ class Comparison {
 
   const HeadlandTrial& best() const { return entries_[*best_].laid.trial; }
 
-  /// One pass more or less all round the field, as long as that costs less.
+  /// One pass more or less all round the field, as long as that costs less. The tracks of least cost behind
+  /// them are searched for where the best ones so far, laid anew, come near.
   void vary_depth() {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
     for (const int step : {1, -1})
-      for (int passes = layouts_.least_passes() + step; passes > 0; passes += step) {
-        bool cheaper = false;
-        for (LaidOut& laid : layouts_.behind(passes, best().passes.obstacles, best().draft.plan))
-          cheaper = improves(std::move(laid)) || cheaper;
-        if (!cheaper) break;
-      }
+      for (int passes = layouts_.least_passes() + step; passes > 0; passes += step)
+        if (context_.has_to_end() || !improves_with(layouts_.all_round(passes, best().passes.obstacles))) break;
+  }
+
+  bool improves_with(const PassesByBoundary& passes) {
+    std::optional<LaidOut> like = layouts_.laid_out(Alternative::kSearched, best().draft.plan, passes);
+    bool cheaper = false;
+    if (like) {
+      add(std::move(*like));
+      const std::size_t first = entries_.size() - 1;
+      if (least_expected(entries_[first]) > (1 + kComesNear) * least_price()) return false;
+      cheaper = improves(first);
+    }
+    for (LaidOut& laid : layouts_.searched(passes))
+      if (!is_known(laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
+    return cheaper;
   }
 
   /// Obstacles with headlands lose them, and those without get them.
@@ -153,11 +179,13 @@ class Comparison {
 
   /// What is told besides, however much it costs: no headland, and the best plan in adjacent order.
   void add_for_comparison() {
-    if (!best_) return;
     if (problem_.settings.headland_rule == HeadlandRule::kTurns) {
       PassesByBoundary none = best().passes;
       std::fill(none.edges.begin(), none.edges.end(), 0);
-      improves(layouts_.laid_out(Alternative::kNoHeadland, best().draft.plan, none));
+      if (auto bare = layouts_.laid_out(Alternative::kNoHeadland, best().draft.plan, none)) {
+        Entry entry{std::move(*bare)};
+        plan_route(entry);
+      }
     }
     if (problem_.settings.route.order != TrackOrder::kBest) return;
     LaidOut adjacent{Alternative::kAdjacent, best()};
@@ -166,15 +194,18 @@ class Comparison {
     plan_route(entry);
   }
 
-  bool drives_everywhere() const {
+  /// Whether the best plan has legs without room, or backs out of or into every fourth track.
+  bool lacks_room() const {
     const Plan& plan = best().draft.plan;
-    return sums_of(plan.route).without_room == 0 && plan.tally.stops == 0;
+    const auto back_outs = std::count_if(plan.route.legs.begin(), plan.route.legs.end(),
+                                         [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
+    return sums_of(plan.route).without_room > 0 ||
+           kSeldomBacksOut * static_cast<std::size_t>(back_outs) > plan.pieces.size();
   }
 
   /// The plan with headlands deepened where turns lack room, if that costs less. Where there is no other plan
   /// its error is thrown.
   std::optional<Plan> with_room(const RoomForTurns& room_for_turns) {
-    if (context_.cut_short() && best_) return std::nullopt;
     try {
       Plan plan = room_for_turns();
       if (!plan.route.planned()) return plan;
@@ -192,18 +223,29 @@ class Comparison {
     const auto price = [stop](const RouteAlternative& one) {
       return one.cost.euros() + kStopsWithoutRoom * stop * static_cast<double>(one.without_room);
     };
-    std::stable_sort(
-        all_.begin(), all_.end(),
-        [&](const RouteAlternative& a, const RouteAlternative& b) { return price(a) < price(b); });
+    std::stable_sort(all_.begin(), all_.end(), [&](const RouteAlternative& a, const RouteAlternative& b) {
+      return price(a) < price(b);
+    });
     out.all = std::move(all_);
     if (deepened) {
       out.plan = std::move(*deepened);
-      return out;
+    } else {
+      HeadlandTrial& trial = entries_[*best_].laid.trial;
+      out.plan = finished(SearchTask(trial.problem, trial.prepared), std::move(trial.found),
+                          std::move(trial.draft), context_);
     }
-    HeadlandTrial& trial = entries_[*best_].laid.trial;
-    out.plan = finished(SearchTask(trial.problem, trial.prepared), std::move(trial.found),
-                        std::move(trial.draft), context_);
+    put_first(out.plan, out.all);
     return out;
+  }
+
+  /// What is planned comes first, also where what is only told of costs less.
+  static void put_first(const Plan& plan, std::vector<RouteAlternative>& all) {
+    if (!plan.route.planned()) return;
+    const double euros = whole_cost(plan).euros();
+    const auto at = std::find_if(all.begin(), all.end(), [&](const RouteAlternative& one) {
+      return one.kind != Alternative::kAdjacent && one.cost.euros() == euros;
+    });
+    if (at != all.end()) std::rotate(all.begin(), at, at + 1);
   }
 
   PlanningProblem problem_;
@@ -212,6 +254,7 @@ class Comparison {
   RouteLayouts layouts_;
   std::vector<Entry> entries_;
   std::optional<std::size_t> best_{};
+  double least_beyond_floor_ = std::numeric_limits<double>::max();
   std::vector<RouteAlternative> all_;
 };
 
@@ -248,11 +291,11 @@ PlanningProblem with_track_prices(PlanningProblem problem) {
   return problem;
 }
 
-ComparedRoutes cheapest_route(const PlanningProblem& problem, const Plan& layout,
+ComparedRoutes cheapest_route(const PlanningProblem& problem, const std::vector<Plan>& layouts,
                               const RoomForTurns& room_for_turns, Compare compare,
                               const SearchContext& context) {
-  assert(compares_routes(problem.settings));
-  ComparedRoutes out = Comparison(problem, layout, compare, context).cheapest(room_for_turns);
+  assert(compares_routes(problem.settings) && !layouts.empty());
+  ComparedRoutes out = Comparison(problem, layouts, compare, context).cheapest(room_for_turns);
   // What a search proves of the cost of tracks says nothing about whole routes.
   out.plan.proof = {};
   out.plan.proof.cut_short = context.cut_short();

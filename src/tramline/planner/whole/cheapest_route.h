@@ -18,7 +18,7 @@ PlanningProblem with_track_prices(PlanningProblem problem);
 
 struct ComparedRoutes {
   Plan plan;                          ///< the cheapest
-  std::vector<RouteAlternative> all;  ///< from the cheapest
+  std::vector<RouteAlternative> all;  ///< the plan first, then from the cheapest
 };
 
 /// All plans that are compared, or those that may be the cheapest.
@@ -28,16 +28,17 @@ enum class Compare { kWhatMayWin, kAll };
 using RoomForTurns = std::function<Plan()>;
 
 /// Compares plans by what their whole routes cost (whole_cost(), where a leg without room counts ten stops):
-/// the tracks of `layout`, those of least cost behind the headlands, and tracks along the longest side and
+/// the tracks of `layouts`, those of least cost behind the headlands, and tracks along the longest side and
 /// along the length of the field. Where headlands follow from turns they go all round the field, as many as
 /// the shallowest turn of the machine needs, and one more or less as long as that costs less; or only where
-/// tracks of the layout end. Obstacles have their headlands if that costs less. Routes are planned in the
-/// order of route_floor(), and not at all where that is above the cheapest so far, except to compare all. If
-/// the cheapest has legs without room or stops, the plan of `room_for_turns` is compared as well. The first
-/// among equals is taken. Deterministic for any number of threads. `layout`: subfields and pieces, without
-/// the headlands that follow from turns. Throws kBadInput where no plan has a track. Precondition:
+/// tracks of a layout end. Obstacles have their headlands if that costs less. Routes are planned in the
+/// order of route_floor(), and not at all where they cannot be expected to cost less than the cheapest so
+/// far, except to compare all. If the cheapest has legs without room or backs out often, the plan of `room_for_turns` is
+/// compared as well. The first among equals is taken. Deterministic for any number of threads. `layouts`:
+/// subfields and pieces, without the headlands that follow from turns; the first one, which is straight, says
+/// how many passes obstacles need. Not empty. Throws kBadInput where no plan has a track. Precondition:
 /// compares_routes().
-ComparedRoutes cheapest_route(const PlanningProblem& problem, const Plan& layout,
+ComparedRoutes cheapest_route(const PlanningProblem& problem, const std::vector<Plan>& layouts,
                               const RoomForTurns& room_for_turns, Compare compare,
                               const SearchContext& context);
 

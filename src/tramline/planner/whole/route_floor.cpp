@@ -1,5 +1,5 @@
-#include "tramline/model/rate_values.h"
 #include "tramline/planner/whole/route_floor.h"
+#include "tramline/model/rate_values.h"
 
 #include <algorithm>
 #include <numbers>
@@ -8,8 +8,28 @@
 #include "tramline/model/rate_values.h"
 #include "tramline/planner/whole/track_prices.h"
 #include "tramline/route/turning/stops.h"
+#include "tramline/turns/turn_off.h"
 
 namespace tramline {
+namespace {
+
+bool ends_blindly(const Path& path, const Plan& plan, const AllowedLand& land) {
+  return !has_way_off(land, path.back().to, Heading::from_to({0, 0}, direction_at_end(path.back())),
+                      plan.machine);
+}
+
+/// Ends of tracks and open passes that the machine can only back out of.
+int blind_ends(const Plan& plan, const AllowedLand& land) {
+  std::vector<TrackPiece> pieces = plan.pieces;
+  int out = mark_stops(land, plan.machine, pieces);
+  for (const HeadlandPass& pass : plan.headland.passes) {
+    if (is_closed(pass)) continue;
+    for (const Path& path : {pass.path, reversed(pass.path)}) out += ends_blindly(path, plan, land) ? 1 : 0;
+  }
+  return out;
+}
+
+}  // namespace
 
 double route_floor(const Plan& plan, const AllowedLand& turning_land) {
   const Machine& machine = plan.machine;
@@ -22,10 +42,9 @@ double route_floor(const Plan& plan, const AllowedLand& turning_land) {
                        static_cast<double>(plan.headland.passes.size()) -
                        static_cast<double>(plan.subfields.size());
   const double turning_m = std::max(0.0, joins) * std::numbers::pi * machine.radius_m;
-  std::vector<TrackPiece> pieces = plan.pieces;
-  const int stops = std::max(0, mark_stops(turning_land, machine, pieces) - 2);
-  return rates.price_per_stop * stops + second.at_work * work_m / machine.turning.working_speed_mps +
-         second.work_off * turning_m / machine.turning.turning_speed_mps + 
+  const int stops = machine.turning.reverse ? 0 : std::max(0, blind_ends(plan, turning_land) - 2);
+  return second.at_work * work_m / machine.turning.working_speed_mps +
+         second.work_off * turning_m / machine.turning.turning_speed_mps + rates.price_per_stop * stops +
          overlap_price_per_m2(rates) * plan.tally.overlap_m2 +
          missed_price_per_m2(rates) * plan.tally.uncovered_m2;
 }

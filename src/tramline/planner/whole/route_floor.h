@@ -9,8 +9,9 @@ namespace tramline {
 /// A lower bound of whole_cost() in euros for a plan whose route is not known yet: all pieces and passes at
 /// working speed, overlap and missed land, and for every two tracks that no pass and no change of subfield
 /// can come between half a circle, since parallel tracks are left and entered in opposite directions. Every
-/// end without a way off has to be backed out of, or into, unless the route begins or ends there; all other
-/// stops and transit count nothing. O(pieces + passes), and the room at every end.
+/// end of a track or of an open pass without a way off has to be backed out of, or into, unless the route
+/// begins or ends there or the machine turns with reversing; all else counts nothing. O(pieces + passes), and
+/// the room at every end.
 double route_floor(const Plan& plan, const AllowedLand& turning_land);
 
 }  // namespace tramline

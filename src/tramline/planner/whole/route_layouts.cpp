@@ -24,8 +24,7 @@ constexpr double kAlmostWhole = 1e-9;
 constexpr int kMorePasses = 2;
 
 int least_passes_of(const Machine& machine) {
-  const double depth_m =
-      machine.radius_m + std::max(0.5 * machine.width_m, machine.turning.front_overhang_m);
+  const double depth_m = machine.radius_m + std::max(0.5 * machine.width_m, machine.turning.front_overhang_m);
   return std::max(1, static_cast<int>(std::ceil(depth_m / machine.width_m - kAlmostWhole)));
 }
 
@@ -49,6 +48,11 @@ bool has_curves(const Plan& plan) {
                      [](const Subfield& subfield) { return !subfield.reference.empty(); });
 }
 
+/// Whether the field is narrow enough to be worked by passes alone.
+bool works_more_than_body(const PreparedField& prepared) {
+  return prepared.headland.worked_m2 > area(prepared.ground.body);
+}
+
 std::vector<int> passes_asked(const PlanningProblem& problem) {
   const PlanSettings& settings = problem.settings;
   if (!settings.headland_edges.empty()) return settings.headland_edges;
@@ -67,13 +71,17 @@ bool same_directions(const Plan& a, const Plan& b) {
   });
 }
 
-RouteLayouts::RouteLayouts(const PlanningProblem& problem, const Plan& layout, const SearchContext& context)
-    : problem_(problem), layout_(layout), context_(context), least_passes_(least_passes_of(problem.machine)) {
+RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Plan>& layouts,
+                           const SearchContext& context)
+    : problem_(problem),
+      layouts_(layouts),
+      context_(context.without_bound()),
+      least_passes_(least_passes_of(problem.machine)) {
   problem_.settings.turns = TurnPlanning::kNone;
-  obstacle_passes_ = layout.headland.obstacle_passes;
+  obstacle_passes_ = layouts.front().headland.obstacle_passes;
   obstacle_passes_.resize(problem.field.obstacles.size(), 0);
   if (problem.settings.obstacle_headland_rule == HeadlandRule::kTurns)
-    obstacle_passes_ = where_tracks_end(layout).obstacles;
+    obstacle_passes_ = where_tracks_end(layouts.front()).obstacles;
 }
 
 PassesByBoundary RouteLayouts::where_tracks_end(const Plan& layout) const {
@@ -82,8 +90,7 @@ PassesByBoundary RouteLayouts::where_tracks_end(const Plan& layout) const {
 }
 
 std::optional<LaidOut> RouteLayouts::behind_open_passes(Alternative kind, const Plan& layout) const {
-  if (context_.cut_short()) return std::nullopt;
-  if (!layout.pieces.empty()) return laid_out(kind, layout, where_tracks_end(layout));
+  if (!layout.pieces.empty()) return laid_out_on(prepared_behind(where_tracks_end(layout)), kind, layout);
   PlanningProblem bare = problem_;
   bare.settings.headland_rule = bare.settings.obstacle_headland_rule = HeadlandRule::kPasses;
   bare.settings.headlands = bare.settings.obstacle_headlands = 0;
@@ -93,31 +100,55 @@ std::optional<LaidOut> RouteLayouts::behind_open_passes(Alternative kind, const 
   const auto laid = headland_trial_on(bare, std::move(prepared), layout, none, Offset::kBest, context_);
   if (!laid) return std::nullopt;
   const Plan& with_pieces = laid->draft.plan;
-  return laid_out(kind, with_pieces, where_tracks_end(with_pieces));
+  return laid_out_on(prepared_behind(where_tracks_end(with_pieces)), kind, with_pieces);
 }
 
 PassesByBoundary RouteLayouts::all_round(int passes, const std::vector<int>& obstacles) const {
   return as_set(problem_, {std::vector<int>(problem_.field.outer.size(), passes), obstacles});
 }
 
-std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like,
-                                              const PassesByBoundary& passes) const {
-  if (context_.cut_short()) return std::nullopt;
-  std::optional<HeadlandTrial> trial = headland_trial(problem_, like, passes, Offset::kBest, context_);
+RouteLayouts::Behind RouteLayouts::prepared_behind(const PassesByBoundary& passes) const {
+  Behind out{passes, problem_with(problem_, passes), nullptr};
+  std::optional<PreparedField> prepared = field_behind(out.problem, passes.obstacles);
+  if (prepared && (area(prepared->ground.plannable) > 0 || works_more_than_body(*prepared)))
+    out.prepared = std::make_shared<const PreparedField>(std::move(*prepared));
+  return out;
+}
+
+const RouteLayouts::Behind& RouteLayouts::behind(const PassesByBoundary& passes) {
+  for (const std::unique_ptr<const Behind>& kept : kept_)
+    if (kept->passes == passes) return *kept;
+  kept_.push_back(std::make_unique<const Behind>(prepared_behind(passes)));
+  return *kept_.back();
+}
+
+std::optional<LaidOut> RouteLayouts::laid_out_on(const Behind& behind, Alternative kind,
+                                                 const Plan& like) const {
+  if (!behind.prepared || like.subfields.empty()) return std::nullopt;
+  std::optional<HeadlandTrial> trial =
+      headland_trial_on(behind.problem, *behind.prepared, like, behind.passes, Offset::kBest, context_);
   if (!trial) return std::nullopt;
   return LaidOut{kind, std::move(*trial)};
 }
 
-std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) const {
+std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like,
+                                              const PassesByBoundary& passes) {
+  return laid_out_on(behind(passes), kind, like);
+}
+
+std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   std::vector<LaidOut> out;
-  if (context_.cut_short()) return out;
-  const PlanningProblem problem = problem_with(problem_, passes);
-  const std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
-  if (!prepared || area(prepared->ground.plannable) == 0) return out;
+  const auto& [ignored, problem, prepared] = behind(passes);
+  if (!prepared) return out;
+  if (area(prepared->ground.plannable) == 0) {
+    PlanDraft draft = drafted(SearchTask(problem, *prepared), {});
+    out.push_back({Alternative::kSearched, {passes, problem, *prepared, {}, std::move(draft)}});
+    return out;
+  }
   PlanningProblem straight = problem;
   straight.settings.shape = TrackShape::kStraight;
   const SearchTask task(straight, *prepared);
-  SearchResult found = straight_search(task, context_.uncounted().without_bound());
+  SearchResult found = straight_search(task, context_.uncounted());
   if (!found.best.works()) return out;
   const auto add = [&](Alternative kind, SearchResult result) {
     PlanDraft draft = drafted(SearchTask(problem, *prepared), result);
@@ -136,10 +167,10 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) cons
 std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<LaidOut>& known) const {
   std::vector<Job> out;
   const auto add = [&](Alternative kind, Direction direction) {
-    const bool is_new = std::none_of(known.begin(), known.end(),
-                                     [&](const LaidOut& laid) { return all_in(laid.trial.draft.plan, direction); }) &&
-                        std::none_of(out.begin(), out.end(),
-                                     [&](const Job& job) { return all_in(job.layout, direction); });
+    const bool is_new =
+        std::none_of(known.begin(), known.end(),
+                     [&](const LaidOut& laid) { return all_in(laid.trial.draft.plan, direction); }) &&
+        std::none_of(out.begin(), out.end(), [&](const Job& job) { return all_in(job.layout, direction); });
     if (is_new) out.push_back({kind, layout_along(problem_, direction), {}});
   };
   add(Alternative::kLongestSide, longest_side(problem_.field, problem_.machine.width_m));
@@ -147,7 +178,7 @@ std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<L
   return out;
 }
 
-std::vector<LaidOut> RouteLayouts::to_begin_with() const {
+std::vector<LaidOut> RouteLayouts::to_begin_with() {
   const bool by_turns = problem_.settings.headland_rule == HeadlandRule::kTurns;
   std::vector<std::vector<int>> round_obstacles{obstacle_passes_};
   const std::vector<int> none(obstacle_passes_.size(), 0);
@@ -156,41 +187,35 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() const {
   std::vector<LaidOut> out;
   std::vector<Job> jobs;
   for (const std::vector<int>& obstacles : round_obstacles) {
+    if (!out.empty() && context_.has_to_end()) return out;
     const PassesByBoundary passes =
         by_turns ? all_round(least_passes_, obstacles) : PassesByBoundary{passes_asked(problem_), obstacles};
     std::vector<LaidOut> found = searched(passes);
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
-    if (has_curves(layout_)) jobs.push_back({Alternative::kSearched, layout_, passes});
+    for (const Plan& layout : layouts_)
+      if (has_curves(layout)) jobs.push_back({Alternative::kSearched, layout, passes});
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
   if (by_turns) {
     std::vector<Job> open = along_the_field({});
-    if (std::none_of(open.begin(), open.end(),
-                     [&](const Job& job) { return same_directions(job.layout, layout_); }))
-      open.push_back({Alternative::kSearched, layout_, {}});
+    for (const Plan& layout : layouts_)
+      if (std::none_of(open.begin(), open.end(),
+                       [&](const Job& job) { return same_directions(job.layout, layout); }))
+        open.push_back({Alternative::kSearched, layout, {}});
     std::move(open.begin(), open.end(), std::back_inserter(jobs));
   }
+  if (!out.empty() && context_.has_to_end()) return out;
+  std::vector<const Behind*> known(jobs.size(), nullptr);
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (jobs[i].passes) known[i] = &behind(*jobs[i].passes);
   std::vector<std::optional<LaidOut>> laid(jobs.size());
   for_each_index(laid.size(), context_, [&](std::size_t i) {
     const Job& job = jobs[i];
-    laid[i] = job.passes ? laid_out(job.kind, job.layout, *job.passes)
-                         : behind_open_passes(job.kind, job.layout);
+    laid[i] = known[i] != nullptr ? laid_out_on(*known[i], job.kind, job.layout)
+                                  : behind_open_passes(job.kind, job.layout);
   });
   for (std::optional<LaidOut>& one : laid)
     if (one) out.push_back(std::move(*one));
-  return out;
-}
-
-std::vector<LaidOut> RouteLayouts::behind(int passes_all_round, const std::vector<int>& obstacle_passes,
-                                          const Plan& like) const {
-  const PassesByBoundary passes = all_round(passes_all_round, obstacle_passes);
-  std::vector<LaidOut> out = searched(passes);
-  const bool known = std::any_of(out.begin(), out.end(), [&](const LaidOut& laid) {
-    return same_directions(laid.trial.draft.plan, like);
-  });
-  if (known) return out;
-  if (std::optional<LaidOut> laid = laid_out(Alternative::kSearched, like, passes))
-    out.push_back(std::move(*laid));
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The plans whose routes are worth comparing, without their routes.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,51 +21,64 @@ struct LaidOut {
 /// Whether two plans have as many subfields with the same straight directions, in whatever order.
 bool same_directions(const Plan& a, const Plan& b);
 
-/// Lays tracks out for one problem. All functions are deterministic for any number of threads.
+/// Lays tracks out for one problem. All functions are deterministic for any number of threads; one object
+/// serves one thread, because it keeps the land behind passes that it has prepared.
 class RouteLayouts {
  public:
-  /// `layout` as of cheapest_route(). The problem, the layout and the context outlive this.
-  RouteLayouts(const PlanningProblem& problem, const Plan& layout, const SearchContext& context);
+  /// `layouts` as of cheapest_route(). They outlive this.
+  RouteLayouts(const PlanningProblem& problem, const std::vector<Plan>& layouts,
+               const SearchContext& context);
 
   /// Passes round the field as deep as half a circle of the machine and what reaches ahead of its axle.
   int least_passes() const { return least_passes_; }
   /// By obstacle: as many as turns need, 0 where all tracks go round it.
   const std::vector<int>& obstacle_passes() const { return obstacle_passes_; }
 
-  /// The layout, the tracks of least cost, and those along the longest side and the length of the field,
-  /// behind the passes asked for, or behind the least passes all round; the same without the headlands of
-  /// obstacles that follow from turns; and each of these but the searched ones behind passes where their
+  /// The curved layouts, the tracks of least cost, and those along the longest side and the length of the
+  /// field, behind the passes asked for, or behind the least passes all round; the same without the headlands
+  /// of obstacles that follow from turns; and each of these but the searched ones behind passes where their
   /// tracks end.
-  std::vector<LaidOut> to_begin_with() const;
+  std::vector<LaidOut> to_begin_with();
 
-  /// The tracks of least cost behind these passes, and those of another plan laid anew there.
-  std::vector<LaidOut> behind(int passes_all_round, const std::vector<int>& obstacle_passes,
-                              const Plan& like) const;
+  PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
+  /// The tracks of least cost behind these passes, and the undivided ones where these are several subfields;
+  /// the passes alone where they leave no room for tracks.
+  std::vector<LaidOut> searched(const PassesByBoundary& passes);
 
   /// The directions and curves of a plan laid anew behind these passes; nullopt where no track fits.
-  std::optional<LaidOut> laid_out(Alternative kind, const Plan& like, const PassesByBoundary& passes) const;
+  std::optional<LaidOut> laid_out(Alternative kind, const Plan& like, const PassesByBoundary& passes);
 
  private:
+  /// The field behind passes; `prepared` is nothing where they leave no land for tracks, unless
+  /// they work most of the field themselves.
+  struct Behind {
+    PassesByBoundary passes;
+    PlanningProblem problem;
+    std::shared_ptr<const PreparedField> prepared;
+  };
+
   struct Job {
     Alternative kind;
     Plan layout;
     std::optional<PassesByBoundary> passes;  ///< none: where its tracks end
   };
 
-  PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
+  /// `problem_` with these passes, and the land behind them.
+  Behind prepared_behind(const PassesByBoundary& passes) const;
+  const Behind& behind(const PassesByBoundary& passes);
+  std::optional<LaidOut> laid_out_on(const Behind& behind, Alternative kind, const Plan& like) const;
   /// The passes that turns need where the tracks of a layout on the bare field end.
   PassesByBoundary where_tracks_end(const Plan& layout) const;
   std::optional<LaidOut> behind_open_passes(Alternative kind, const Plan& layout) const;
   /// One layout along the longest side of the field and one along its length, without tracks, as far as none
   /// of the known ones is the same.
   std::vector<Job> along_the_field(const std::vector<LaidOut>& known) const;
-  /// The tracks of least cost, and the undivided ones where these are several subfields.
-  std::vector<LaidOut> searched(const PassesByBoundary& passes) const;
 
   PlanningProblem problem_;  ///< without turns
-  const Plan& layout_;
-  const SearchContext& context_;
+  const std::vector<Plan>& layouts_;
+  SearchContext context_;
   int least_passes_ = 0;
+  std::vector<std::unique_ptr<const Behind>> kept_;
   std::vector<int> obstacle_passes_;
 };
 
