@@ -96,13 +96,6 @@ ordered_json cell_json(const MapCell& cell) {
   return out;
 }
 
-/// In double quotes, as a CSV has texts with commas.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 }  // namespace
 
 std::string map_direction_text(const MapDirection& direction) {
@@ -164,7 +157,7 @@ std::string map_table_csv(const MapTable& table) {
         cell.asked.kind == Kind::kEdge ? fmt::format("{}", cell.asked.edge_m) : std::string(),
         cell.machine.width_m);
     if (!cell.refusal.empty()) {
-      out += ",,,,,,,," + quoted(cell.refusal) + "\n";
+      out += ",,,,,,,," + csv_text(cell.refusal) + "\n";
       continue;
     }
     const Tally& tally = cell.tracks;

@@ -97,9 +97,13 @@ std::string front_row(const Plan& plan) {
 }  // namespace
 
 std::string figure_rows(const Plan& plan) {
+  if (plan.route.planned())
+    return whole_cost_row(plan) + ground_row(plan) + passes_row(plan) + turning_rows(plan) +
+           route_rows(plan) +
+           fmt::format("land         {} worked twice, {} missed\n", share_text(plan, plan.tally.overlap_m2),
+                       share_text(plan, plan.tally.uncovered_m2));
   return ground_row(plan) + passes_row(plan) +
          fmt::format("distance     {:.3f} km at work\n", distance_km(plan)) + turning_rows(plan) +
-         route_rows(plan) + whole_cost_row(plan) +
          fmt::format("worked twice {}\n", share_text(plan, plan.tally.overlap_m2)) +
          fmt::format("missed       {}\n", share_text(plan, plan.tally.uncovered_m2));
 }

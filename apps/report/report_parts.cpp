@@ -90,6 +90,12 @@ std::string note_rows(const std::vector<std::string>& warnings) {
   return out;
 }
 
+std::string csv_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most) {
   std::vector<std::string> texts;
   for (const Direction& direction : directions) {

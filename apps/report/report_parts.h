@@ -42,6 +42,9 @@ std::string skipped_rows(const std::vector<Skipped>& skipped);
 /// "note         what", a row each.
 std::string note_rows(const std::vector<std::string>& warnings);
 
+/// In double quotes, as a CSV has texts with commas.
+std::string csv_text(const std::string& text);
+
 /// "95.98°, 12.30°": each once, and "…" for those beyond `most`.
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most);
 

@@ -43,9 +43,8 @@ std::string speeds_text(const Turning& turning, const RouteSums& sums) {
 
 std::string first_row(const Plan& plan, const RouteSums& sums) {
   const double share = sums.length_m > 0 ? 100 * sums.not_working_m() / sums.length_m : 0;
-  return fmt::format("route        {:.3f} km in {:.2f} h ({}), {:.1f} % of it not working{}\n",
-                     sums.length_m / 1e3, sums.time_s / 3600, speeds_text(plan.machine.turning, sums), share,
-                     proof_text(plan.route, sums.time_s));
+  return fmt::format("route        {:.3f} km ({}), {:.1f} % of it not working{}\n", sums.length_m / 1e3,
+                     speeds_text(plan.machine.turning, sums), share, proof_text(plan.route, sums.time_s));
 }
 
 /// Which legs leave the land, and where they begin, in local metres.
@@ -109,7 +108,8 @@ ordered_json compared_routes_json(const std::vector<RouteAlternative>& routes) {
   for (const RouteAlternative& route : routes) {
     ordered_json directions = ordered_json::array();
     for (const Direction direction : route.directions) directions.push_back(direction.degrees());
-    out.push_back({{"directions_deg", std::move(directions)},
+    out.push_back({{"kind", name(route.kind)},
+                   {"directions_deg", std::move(directions)},
                    {"headlands", route.headlands},
                    {"all_round", route.all_round},
                    {"hours", route.cost.time_s() / 3600},
@@ -122,17 +122,21 @@ ordered_json compared_routes_json(const std::vector<RouteAlternative>& routes) {
 std::string compared_routes_rows(const std::vector<RouteAlternative>& routes) {
   if (routes.empty()) return "";
   constexpr std::size_t kShown = 3;
-  std::string out = "compared     route by route; the first is the plan whose tracks alone cost least\n";
+  std::string out = "compared     by the cost of their whole routes; the first is planned\n";
   for (const RouteAlternative& route : routes) {
     const std::string passes =
         route.headlands == 0
             ? "no headland"
             : fmt::format("{} {} {}", route.headlands, route.headlands == 1 ? "pass" : "passes",
                           route.all_round ? "all round" : "where tracks end");
-    out += fmt::format("             {:.2f} €, {:.2f} h: tracks at {}, {}{}\n", route.cost.euros(),
-                       route.cost.time_s() / 3600, directions_text(route.directions, kShown), passes,
+    const std::string why =
+        route.kind == Alternative::kNoHeadland ? "" : fmt::format(", {}", name(route.kind));
+    const std::string tracks =
+        route.directions.empty() ? "no tracks" : "tracks at " + directions_text(route.directions, kShown);
+    out += fmt::format("             {:.2f} €, {:.2f} h: {}, {}{}{}\n", route.cost.euros(),
+                       route.cost.time_s() / 3600, tracks, passes, why,
                        route.without_room == 0 ? ""
-                                               : fmt::format(", {} {} without room", route.without_room,
+                                               : fmt::format("; {} {} without room", route.without_room,
                                                              route.without_room == 1 ? "leg" : "legs"));
   }
   return out;
@@ -169,10 +173,9 @@ std::string route_rows(const Plan& plan) {
 std::string whole_cost_row(const Plan& plan) {
   if (!plan.route.planned()) return "";
   const WholeCost cost = whole_cost(plan);
-  const Rates rates = rates_of(plan.machine);
-  std::string out = fmt::format("whole cost   {:.2f} €: {:.2f} h at {:g} €/h", plain_zero(cost.euros()),
-                                cost.time_s() / 3600, rates.price_per_hour);
-  if (cost.fuel_l > 0) out += fmt::format(", {:.1f} l at {:g} €/l", cost.fuel_l, rates.fuel_price);
+  std::string out = fmt::format("whole cost   {:.2f} €, {:.2f} h: machine {:.2f} €", plain_zero(cost.euros()),
+                                cost.time_s() / 3600, plain_zero(cost.hours));
+  if (cost.fuel_l > 0) out += fmt::format(", {:.1f} l of fuel {:.2f} €", cost.fuel_l, cost.fuel);
   out += fmt::format(", worked twice {:.2f} €, missed {:.2f} €", plain_zero(cost.overlap),
                      plain_zero(cost.missed));
   if (cost.stops > 0) out += fmt::format(", stops {:.2f} €", cost.stops);

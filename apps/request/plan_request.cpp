@@ -53,10 +53,10 @@ Choice chosen(std::optional<Choice> choice, const char* option, const std::strin
 }
 
 TrackShape shape_of(const std::string& curved) {
-  if (curved.empty()) return TrackShape::kStraight;
+  if (curved.empty() || curved == "never") return TrackShape::kStraight;
   if (curved == "auto") return TrackShape::kAuto;
   if (curved == "always") return TrackShape::kCurved;
-  throw bad_input(fmt::format("--curved takes auto or always, not '{}'", curved));
+  throw bad_input(fmt::format("--curved takes auto, always or never, not '{}'", curved));
 }
 
 /// As many numbers as there are, parted by commas and spaces; none where anything else is in the text.

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "request/paper_conventions.h"
+#include "request/plan_defaults.h"
 #include "request/plan_request.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
@@ -42,8 +45,24 @@ void take_number(const JsonInput& input, const char* key, double& number) {
 }
 
 /// The keys of a route but for its gates.
+/// "--obstacle-headlands" as a key: "obstacle_headlands".
+std::string key_of(std::string option) {
+  option.erase(0, 2);
+  std::replace(option.begin(), option.end(), '-', '_');
+  return option;
+}
+
+/// Makes what the request leaves out part of a plan to be driven, unless it asks for tracks alone.
+void take_whole_plan(const JsonInput& input, app::PlanOptions& options) {
+  if (app::asks_for_tracks(options)) return;
+  for (const app::Convention& convention : app::whole_plan_defaults(options)) {
+    const bool decided = input.has("line") && std::string_view(convention.option) == "--curved";
+    if (!decided && !input.has(key_of(convention.option).c_str())) convention.take(options);
+  }
+}
+
 void take_route(const JsonInput& input, app::PlanOptions& options) {
-  options.route = input.flag_if("route").value_or(false) ? "whole" : "none";
+  if (const auto route = input.flag_if("route")) options.route = *route ? "whole" : "none";
   take_word(input, "order", options.order);
   take_word(input, "headland_time", options.headland_time);
   take_word(input, "pass_sequence", options.pass_sequence);
@@ -147,8 +166,8 @@ Objective objective_in(const ordered_json& json) {
           prices.number_if("subfield").value_or(Objective{}.subfield)};
 }
 
-SettingsInput settings_in(const ordered_json& json) {
-  if (json.is_null()) return {};
+SettingsInput settings_in(const ordered_json& asked, Defaults defaults) {
+  const ordered_json json = asked.is_null() ? ordered_json::object() : asked;
   const JsonInput input(json, "settings",
                         {"like",
                          "strategy",
@@ -180,15 +199,17 @@ SettingsInput settings_in(const ordered_json& json) {
                          "start",
                          "end"});
   app::PlanOptions options;
+  options.turns = input.flag_if("turns").value_or(false);
   take_word(input, "like", options.like);
   for (const app::Convention& convention : app::conventions_like(options.like)) convention.take(options);
   take_word(input, "strategy", options.strategy);
+  take_word(input, "tracks", options.tracks);
+  if (defaults == Defaults::kWholePlan) take_whole_plan(input, options);
   take_word(input, "end_rule", options.end_rule);
   take_word(input, "boundary", options.boundary);
   take_word(input, "cell_direction", options.cell_direction);
   take_word(input, "curved", options.curved);
   take_word(input, "avoid", options.avoid);
-  take_word(input, "tracks", options.tracks);
   take_word(input, "ab_anchor", options.ab_anchor);
   take_number(input, "clearance_m", options.clearance_m);
   take_number(input, "merge_deg", options.merge_deg);
@@ -197,7 +218,6 @@ SettingsInput settings_in(const ordered_json& json) {
   take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
   take_word(input, "spacing", options.spacing);
   take_number(input, "towing_error_m", options.towing_error_m);
-  options.turns = input.flag_if("turns").value_or(false);
   options.turn_room_m = input.number_if("turn_room_m");
   take_route(input, options);
   options.avoid_threshold_m = input.number_if("avoid_threshold_m");
@@ -209,8 +229,7 @@ SettingsInput settings_in(const ordered_json& json) {
     options.obstacle_headlands = options.headlands;
   SettingsInput out{app::settings_of(options), {}, gate_in(input, "start"), gate_in(input, "end")};
   if (!input.has("line")) return out;
-  if (!options.curved.empty())
-    throw bad_input("settings has both curved and a line to follow; give one of them");
+  if (input.has("curved")) throw bad_input("settings has both curved and a line to follow; give one of them");
   out.line = positions_of(input.value("line"), input.place_of("line"));
   return out;
 }

@@ -24,8 +24,11 @@ struct SettingsInput {
   std::optional<Point> start{};
   std::optional<Point> end{};
 };
+/// What is planned where the settings do not say: tracks alone, or a plan to be driven
+/// (whole_plan_defaults()).
+enum class Defaults { kTracks, kWholePlan };
 /// Throws bad_input.
-SettingsInput settings_in(const nlohmann::ordered_json& json);
+SettingsInput settings_in(const nlohmann::ordered_json& json, Defaults defaults);
 
 /// The settings for a field: with line and gates in its metres. Throws bad_input where they do not lie there.
 PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine);

@@ -33,18 +33,19 @@ struct PlanRequest {
   std::string name;
 };
 
-PlanRequest plan_request(App& app, const ordered_json& json) {
+PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise) {
   const JsonInput input(
       json, "", {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds", "name"});
   PlanRequest out;
   out.field = app.fields.get(input.text("field"));
   out.machine = machine_in(input.value("machine"), "machine");
   out.objective = objective_in(input.value("objective"));
-  const SettingsInput settings = settings_in(input.value("settings"));
-  validate_request(out.machine, out.objective, settings.settings);
   const bool priced_by_user = input.has("objective") && !input.value("objective").is_null();
+  const SettingsInput settings =
+      settings_in(input.value("settings"), priced_by_user ? Defaults::kTracks : otherwise);
+  validate_request(out.machine, out.objective, settings.settings);
   out.settings = settings_on(settings, out.field->field, out.machine);
-  if (out.settings.turns == TurnPlanning::kRoute && !priced_by_user) out.settings.aim = Aim::kWholeCost;
+  if (priced_by_user) out.settings.aim = Aim::kCost;
   out.explain = input.flag_if("explain").value_or(false);
   out.draft = input.flag_if("draft").value_or(false);
   out.seconds = input.number_if("seconds");
@@ -104,7 +105,7 @@ ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
 }  // namespace
 
 JobStatus begin_compare(App& app, const ordered_json& json) {
-  PlanRequest request = plan_request(app, json);
+  PlanRequest request = plan_request(app, json, Defaults::kTracks);
   if (request.draft) throw bad_input("a comparison does not keep a plan; leave draft out");
   require_free_directions(request.settings);
   const std::string what = fmt::format("comparing plans of {}", request.field->name);
@@ -114,7 +115,7 @@ JobStatus begin_compare(App& app, const ordered_json& json) {
 }
 
 JobStatus begin_plan(App& app, const ordered_json& json) {
-  PlanRequest request = plan_request(app, json);
+  PlanRequest request = plan_request(app, json, Defaults::kWholePlan);
   const std::string what = fmt::format("planning {}", request.field->name);
   return app.jobs.submit("plan", what, [&app, request = std::move(request)](JobRun& run) {
     return make_plan(app, request, run);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "commands/command.h"
+#include "commands/job_cost_run.h"
 #include "commands/many_fields.h"
 #include "options/common_options.h"
 #include "options/field_options.h"
@@ -16,6 +17,7 @@
 #include "output/progress.h"
 #include "output/search_end.h"
 #include "report/front_report.h"
+#include "request/machines_asked.h"
 #include "request/output_names.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
@@ -36,6 +38,8 @@ constexpr const char* kExample =
     "  tramline compare field.geojson --width 3 --radius 6 --picture front.png\n"
     "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.5,5 --for 0.04,0.10,2\n"
     "  tramline compare field.geojson --width 3 --csv front.csv -o knee.gpkg --point knee\n"
+    "  tramline compare field.geojson --widths 3,6,12 --operation seeding\n"
+    "With --widths or --machines whole plans of several machines are compared by hours and euros instead.\n"
     "The plans come from up to 16 searches: one for the given prices, one each for overlap, uncovered land "
     "and\n"
     "turns before all else, and some with one of the given prices times 1/8, 1/2, 2 and 8. The ends of a "
@@ -95,6 +99,7 @@ class CompareCommand : public Command {
         .takes("NUMBERS")
         .one_value_each_time()
         .shows_default("none");
+    add_machines_options(command, machines_);
     command.begin_group("Output");
     command.add_option("--csv", csv_, "Write a table of the plans to this .csv.")
         .takes("FILE")
@@ -118,6 +123,7 @@ class CompareCommand : public Command {
   }
 
   int run() override {
+    if (machines_.asked()) return compare_machines();
     take_conventions(*command_, plan_options_);
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
@@ -152,6 +158,30 @@ class CompareCommand : public Command {
   }
 
  private:
+  /// What the whole job would cost with other machines.
+  int compare_machines() {
+    if (!asked_.empty() || !picture_.empty() || !output_.empty() || command_->is_given("--point"))
+      throw bad_input(
+          "several machines are compared by their whole routes: with --widths or --machines leave out --for, "
+          "--picture, --output and --point");
+    take_whole_plan(*command_, plan_options_);
+    JobCostRun run;
+    run.settings = settings_of(plan_options_);
+    run.objective = objective_of(plan_options_);
+    if (run.settings.turns != TurnPlanning::kRoute)
+      throw bad_input(
+          "several machines are compared by their whole routes: leave out what asks for tracks alone, such "
+          "as "
+          "--prices, or --widths and --machines");
+    run.machines = machines_asked(machine_of(plan_options_), machines_.widths, machines_.files);
+    run.csv_file = csv_;
+    run.seconds = seconds_;
+    run.threads = threads_;
+    run.json = json_;
+    run.quiet = quiet_;
+    return run_job_costs(run, field_options_, plan_options_);
+  }
+
   struct Outputs {
     OutputNames tables, pictures, plans;
     PointChoice choice;
@@ -196,6 +226,7 @@ class CompareCommand : public Command {
   FieldOptions field_options_;
   std::optional<CommandOptions> command_;
   PlanOptions plan_options_;
+  MachinesOptions machines_;
   std::vector<std::string> asked_;
   std::string csv_, picture_, output_, point_ = "given";
   int threads_ = 0;

@@ -47,6 +47,9 @@ constexpr const char* kExample =
     "  tramline plan field.geojson --width 6 --subfields drawn.gpkg -o plan.gpkg --picture plan.png\n"
     "  tramline plan field.geojson --width 3 --done plan-6m.gpkg -o rest.gpkg\n"
     "Without -o, --picture and --zoom-obstacles nothing is written.\n"
+    "A plan is one to be driven: headlands as its turns need them, the whole route, and of several such\n"
+    "plans the cheapest in euros. Tracks alone are planned with --prices, --weights, --minimise, --like,\n"
+    "--strategy sweep, --tracks paper, --only, --done or --front.\n"
     "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
     "University. Zhou et al. 2020, Agronomy 10:83.";
 
@@ -59,8 +62,9 @@ constexpr const char* kMapExample =
     "  tramline map field.geojson --headlands 2 --end-rule cover --directions edges,curved --widths 2,4,6 "
     "\\\n"
     "    --table maps.csv --picture maps.png\n"
-    "'tramline map' takes the options of 'tramline plan', and makes the same plan of them. With --directions "
-    "or\n"
+    "'tramline map' takes the options of 'tramline plan', and plans tracks alone unless --route is given. "
+    "With\n"
+    "--directions or\n"
     "--widths it compares maps, and --picture shows all directions at the first width.\n"
     "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
     "University. Zhou et al. 2020, Agronomy 10:83.";
@@ -73,13 +77,17 @@ class PlanCommand : public Command {
  public:
   enum class Tables { kNone, kOfMaps };
   PlanCommand(const char* word, const char* about, const char* example, Tables tables)
-      : word_(word), about_(about), example_(example), tables_(tables) {}
+      : word_(word),
+        about_(about),
+        example_(example),
+        tables_(tables),
+        defaults_(tables == Tables::kNone ? PlanDefaults::kWhole : PlanDefaults::kTracks) {}
 
   CommandOptions setup(CLI::App& program) override {
     CommandOptions command(program, word_, about_);
     command.footer(example_);
     add_field_options(command, field_options_);
-    add_plan_options(command, plan_options_);
+    add_plan_options(command, plan_options_, defaults_);
     if (tables_ == Tables::kOfMaps) add_map_table_options(command, table_options_);
     add_land_options(command, land_options_);
     command.begin_group("Output");
@@ -115,6 +123,9 @@ class PlanCommand : public Command {
 
   int run() override {
     take_conventions(*command_, plan_options_);
+    // Headlands go round whole fields.
+    const bool part_only = !land_options_.only_file.empty() || !land_options_.done_files.empty();
+    if (defaults_ == PlanDefaults::kWhole && !front_ && !part_only) take_whole_plan(*command_, plan_options_);
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
@@ -366,6 +377,7 @@ class PlanCommand : public Command {
   std::optional<GuideLine> guide_;
   Gates gates_;
   Tables tables_;
+  PlanDefaults defaults_;
   MapTableOptions table_options_;
   WantedFiles wanted_;
   int threads_ = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "request/paper_conventions.h"
+#include "request/plan_defaults.h"
 
 namespace tramline::app {
 namespace {
@@ -34,7 +35,12 @@ void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("0");
 }
 
-void add_headland_options(CommandOptions& command, PlanOptions& o) {
+/// The default of an option where plans are to be driven, and where they are tracks alone.
+std::string default_text(PlanDefaults defaults, const char* whole, const char* tracks) {
+  return defaults == PlanDefaults::kTracks ? tracks : fmt::format("{}; for tracks alone {}", whole, tracks);
+}
+
+void add_headland_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
   command.begin_group("Headlands and turns");
   command
       .add_option("--headlands", o.headlands,
@@ -42,14 +48,14 @@ void add_headland_options(CommandOptions& command, PlanOptions& o) {
                   "'auto': as many as the turns of this machine need, along those edges where tracks end.")
       .takes("N")
       .check(headlands_fault)
-      .shows_default("0");
+      .shows_default(default_text(defaults, "auto", "0"));
   command
       .add_option("--obstacle-headlands", o.obstacle_headlands,
                   "Number of passes round each obstacle that tracks do not go round. 'auto': as many as the "
                   "turns need, where they cost less than cuts and detours.")
       .takes("N")
       .check(headlands_fault)
-      .shows_default("0");
+      .shows_default(default_text(defaults, "auto", "0"));
   command.add_flag("--turns", o.turns,
                    "Plan the turn from each track to the next: the quickest manoeuvre that stays on the "
                    "land. Automatic headlands imply it.");
@@ -62,11 +68,13 @@ void add_headland_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("adjacent");
 }
 
-void add_route_options(CommandOptions& command, PlanOptions& o) {
+void add_route_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
   command
       .add_option("--route", o.route,
-                  "With 'whole', or without a value, plan the whole route: the order of tracks and headland "
-                  "passes, and the way between each two of them. Default: none.")
+                  fmt::format("With 'whole', or without a value, plan the whole route: the order of tracks "
+                              "and headland passes, and the way between each two of them. With 'none', do "
+                              "not. Default: {}.",
+                              default_text(defaults, "whole", "none")))
       .takes("WORD")
       .value_may_be_left_out();  // a default for --help to show would stand for the value left out
   command
@@ -110,7 +118,7 @@ void add_route_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("0.1");
 }
 
-void add_line_options(CommandOptions& command, PlanOptions& o) {
+void add_line_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
   command.begin_group("Tracks along a line");
   Option ab = command.add_option("--ab", o.ab,
                                  "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "
@@ -123,7 +131,7 @@ void add_line_options(CommandOptions& command, PlanOptions& o) {
   Option curved =
       command.add_option("--curved", o.curved,
                          "Curved tracks along edges of the field: 'auto' in those subfields where they cost "
-                         "less than straight ones, or 'always'.");
+                         "less than straight ones, 'always', or 'never'.");
   Option tracks = command.add_option("--tracks", o.tracks,
                                      "How tracks along a line are made: 'parallel' to the line and fit to be "
                                      "driven, or 'paper' (Zhou et al. "
@@ -139,7 +147,7 @@ void add_line_options(CommandOptions& command, PlanOptions& o) {
   ab.takes("POINTS").shows_default("none").excludes(guide).excludes(curved);
   guide.takes("FILE").shows_default("none").excludes(curved);
   where.takes("FILTER").shows_default("the only line").needs(guide);
-  curved.takes("WORD").shows_default("no curved tracks");
+  curved.takes("WORD").shows_default(default_text(defaults, "auto", "never"));
   tracks.takes("WORD").shows_default("parallel");
 }
 
@@ -226,8 +234,10 @@ void add_rate_options(CommandOptions& command, RateOptions& o) {
       "What it costs, besides time, to back out of an end that has no way off, in euros.", "5");
 }
 
-void add_objective_options(CommandOptions& command, PlanOptions& o) {
+void add_objective_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
   command.begin_group("Objective");
+  const char* const prices_text =
+      defaults == PlanDefaults::kTracks ? "the prices" : "the prices of the whole route";
   Option weights = command.add_option("--weights", o.weights,
                                       "Weights of overlap (1/m²), uncovered land (1/m²), turns[, stops[, "
                                       "further subfields]]; those left out are 0.");
@@ -239,9 +249,11 @@ void add_objective_options(CommandOptions& command, PlanOptions& o) {
       "--minimise", o.minimise,
       "What to minimise before all else: 'overlap', 'uncovered' or 'turns'. It gets the weight 99999, the "
       "other two the weight 1.");
-  weights.takes("NUMBERS").shows_default("the prices").excludes(prices).excludes(minimise);
-  prices.takes("NUMBERS").shows_default("0.02,0.10,1,5,5").excludes(minimise);
-  minimise.takes("WORD").shows_default("the prices");
+  weights.takes("NUMBERS").shows_default(prices_text).excludes(prices).excludes(minimise);
+  prices.takes("NUMBERS")
+      .shows_default(defaults == PlanDefaults::kTracks ? "0.02,0.10,1,5,5" : prices_text)
+      .excludes(minimise);
+  minimise.takes("WORD").shows_default(prices_text);
 }
 
 void add_land_options(CommandOptions& command, LandOptions& o) {
@@ -279,7 +291,13 @@ void take_conventions(const CommandOptions& command, PlanOptions& o) {
     if (!given(convention.option)) convention.take(o);
 }
 
-void add_plan_options(CommandOptions& command, PlanOptions& o) {
+void take_whole_plan(const CommandOptions& command, PlanOptions& o) {
+  if (asks_for_tracks(o)) return;
+  for (const Convention& convention : whole_plan_defaults(o))
+    if (!command.is_given(convention.option)) convention.take(o);
+}
+
+void add_plan_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
   command.begin_group("Conventions");
   command
       .add_option("--like", o.like,
@@ -291,7 +309,7 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
   add_machine_options(command, o, "twice the working width");
   add_turning_options(command, o.turning);
   add_rate_options(command, o.rates);
-  add_objective_options(command, o);
+  add_objective_options(command, o, defaults);
   command.begin_group("Search");
   command
       .add_option("--strategy", o.strategy,
@@ -338,11 +356,11 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .add_option("--boundary", o.boundary,
                   "The field's outer edge: 'soft', swaths may run past it, or 'hard', they end inside it.")
       .takes("WORD")
-      .shows_default("soft");
+      .shows_default(default_text(defaults, "hard", "soft"));
   add_avoidance_options(command, o);
-  add_headland_options(command, o);
-  add_route_options(command, o);
-  add_line_options(command, o);
+  add_headland_options(command, o, defaults);
+  add_route_options(command, o, defaults);
+  add_line_options(command, o, defaults);
 }
 
 }  // namespace tramline::app

@@ -1,5 +1,5 @@
 #pragma once
-// The picture of a plan.
+// The picture of a plan, of several, and tables of their figures.
 
 #include <filesystem>
 #include <string>
@@ -37,6 +37,19 @@ struct SmallMap {
 /// Error(kFailure) when the file cannot be written.
 void draw_small_maps(const std::string& title, const std::string& subtitle, const std::vector<SmallMap>& maps,
                      const std::filesystem::path& path, const PictureOptions& options = {});
+
+/// Figures of plans as text: as many cells in every row as in the head, the first two of them names.
+struct Table {
+  std::string title, subtitle;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> sums;  ///< below a rule
+};
+
+/// Draws the table to a PDF, on as many upright pages of A4 as it needs, each with its head. The same input
+/// gives the same bytes. The file is written whole or not at all. Throws bad_input for another extension,
+/// Error(kFailure) when the file cannot be written. Precondition: the head has a cell.
+void draw_table(const Table& table, const std::filesystem::path& path);
 
 /// The layout used by draw_plan(); its view maps a point of the field to its pixel.
 PageLayout layout_of(const Plan& plan, const PictureOptions& options = {});

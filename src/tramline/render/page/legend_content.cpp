@@ -133,7 +133,13 @@ LegendBlock numbers(const Plan& plan) {
     if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));
     add("overlap", with_share(tally.overlap_m2, field_m2));
     add("uncovered", with_share(tally.uncovered_m2, field_m2));
-    add("cost", fmt::format("{:.2f}", plan.cost));
+    if (!plan.route.planned()) add("cost", fmt::format("{:.2f}", plan.cost));
+  }
+  if (plan.route.planned()) {
+    const WholeCost cost = whole_cost(plan);
+    add("hours", fmt::format("{:.2f} h", cost.time_s() / 3600));
+    if (cost.fuel_l > 0) add("fuel", fmt::format("{:.1f} l", cost.fuel_l));
+    add("whole cost", fmt::format("{:.2f} €", cost.euros()));
   }
   return block;
 }

@@ -1,0 +1,52 @@
+#include "request/machines_asked.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "request/map_directions.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/machine/read_machine.h"
+
+namespace tramline::app {
+namespace {
+
+std::vector<std::string> parted(const std::string& text) {
+  std::vector<std::string> out;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    out.push_back(text.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Machine> machines_asked(const Machine& machine, const std::string& widths,
+                                    const std::string& files) {
+  if (!widths.empty() && !files.empty())
+    throw bad_input("--widths and --machines both say which machines to compare: give one of them");
+  std::vector<Machine> out;
+  if (!widths.empty()) {
+    for (const double width_m : map_widths(widths)) {
+      out.push_back(machine);
+      out.back().width_m = width_m;
+      out.back().name.clear();  // it is told by its width
+    }
+    return out;
+  }
+  if (files.empty()) return {machine};
+  for (const std::string& file : parted(files)) {
+    out.push_back(io::read_machine(file));
+    if (out.back().name.empty()) out.back().name = file;
+    const std::string& name = out.back().name;
+    const auto same = std::count_if(out.begin(), out.end(), [&](const Machine& m) { return m.name == name; });
+    if (same > 1)
+      throw bad_input(fmt::format("--machines: two machines are called '{}'; give one another name", name));
+  }
+  return out;
+}
+
+}  // namespace tramline::app
