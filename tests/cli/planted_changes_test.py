@@ -148,7 +148,8 @@ def plans(tramline, examples, folder):
     field = examples / "riverside.geojson"
     front, headlands = folder / "front.gpkg", folder / "headlands.gpkg"
     for plan, options in [(front, ["--width", "6", "--front"]),
-                          (headlands, ["--width", "12", "--headlands", "1", "--obstacle-headlands", "1"])]:
+                          (headlands, ["--width", "12", "--headlands", "1", "--obstacle-headlands", "1",
+                                       "--prices", "0.02,0.10,1,5,5"])]:
         subprocess.run([tramline, "plan", str(field), "--radius", "6", "--quiet", "-o", str(plan), *options],
                        check=True, stdout=subprocess.DEVNULL)
     return [front, headlands]

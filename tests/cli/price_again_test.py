@@ -19,6 +19,10 @@ ARGUMENTS = argparse.Namespace(tramline="tramline", examples=pathlib.Path("examp
 EXACT, CHORDS = 1e-6, 1e-4
 
 
+# Lines are priced as tracks alone, without a route.
+TRACKS = ["--prices", "0.02,0.10,1,5,5"]
+
+
 def tramline(*arguments):
     done = subprocess.run([ARGUMENTS.tramline, *map(str, arguments)], capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -41,7 +45,7 @@ class PricedAgain(unittest.TestCase):
         """`formats`: the tolerance by the extension of an export."""
         with tempfile.TemporaryDirectory() as folder:
             plan, lines = pathlib.Path(folder, "plan.gpkg"), pathlib.Path(folder, "lines.gpkg")
-            planned = json.loads(tramline("plan", *field, *options, "-o", plan, "--json"))
+            planned = json.loads(tramline("plan", *field, *options, *TRACKS, "-o", plan, "--json"))
             self.compare(planned, json.loads(tramline("price", plan, "--json", "-o", lines)), EXACT)
             tramline("check", lines)
             for extension, tolerance in formats.items():
@@ -98,7 +102,7 @@ class PricedAgain(unittest.TestCase):
         """The detours of riverside, priced from a GeoJSON export after `change` to its features."""
         with tempfile.TemporaryDirectory() as folder:
             plan, lines = pathlib.Path(folder, "plan.gpkg"), pathlib.Path(folder, "lines.geojson")
-            planned = json.loads(tramline("plan", *self.riverside(), "--width", "6", "-o", plan, "--json"))
+            planned = json.loads(tramline("plan", *self.riverside(), "--width", "6", *TRACKS, "-o", plan, "--json"))
             tramline("export", plan, "-o", lines)
             collection = json.loads(lines.read_text())
             change(collection["features"])

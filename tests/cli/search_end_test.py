@@ -53,12 +53,17 @@ class SearchEnd(unittest.TestCase):
         return json.loads(run.stdout)["ok"]
 
     def test_seconds_end_it(self):
-        run = subprocess.run(self.command("plan", "--seconds", "0.3"), capture_output=True, text=True, check=True)
-        plan = json.loads(run.stdout)
-        self.assertTrue(plan["cut_short"])
-        self.assertIn("the search was ended before it was through", plan["warnings"][0])
-        self.assertLessEqual(plan["bound"], plan["cost"])
-        self.assertTrue(self.holds())
+        for tracks_alone in ([], ["--prices", "0.02,0.10,1,5,5"]):
+            run = subprocess.run(self.command("plan", "--seconds", "0.3", *tracks_alone), capture_output=True, text=True,
+                                 check=True)
+            plan = json.loads(run.stdout)
+            self.assertTrue(plan["cut_short"])
+            self.assertIn("the search was ended before it was through", plan["warnings"][0])
+            if tracks_alone:
+                self.assertLessEqual(plan["bound"], plan["cost"])
+            else:
+                self.assertIsNone(plan["bound"])
+            self.assertTrue(self.holds())
 
     def test_a_comparison_ends_too(self):
         run = subprocess.run(self.command("compare", "--seconds", "0.3"), capture_output=True, text=True, check=True)

@@ -159,6 +159,7 @@ TEST_F(ServerTest, ASearchEndsAfterTheSecondsItIsGiven) {
         served.job_of(served.post("/jobs", {{"kind", "plan"},
                                             {"field", field},
                                             {"machine", {{"width_m", 1}, {"radius_m", 6}}},
+                                            {"objective", {{"minimise", "overlap"}}},
                                             {"seconds", seconds}}));
     EXPECT_EQ(job["state"], "done") << job.dump();
     return served.get("/plans/" + std::string(job["result"]["plan"])).json["summary"];
