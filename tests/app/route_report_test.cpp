@@ -40,7 +40,7 @@ Plan routed() {
 
 TEST(RouteReport, SaysTheWayInOneLineWhereAllHasRoom) {
   EXPECT_EQ(route_rows(routed()),
-            "route        1.000 km in 0.25 h (2 m/s, 1.5 m/s with the work off, 1 m/s in reverse), "
+            "route        1.000 km (2 m/s, 1.5 m/s with the work off, 1 m/s in reverse), "
             "20.0 % of it not working; at most 25.0 % longer than the quickest\n");
 }
 
@@ -63,8 +63,9 @@ TEST(RouteReport, WithoutARouteThereIsNothingToSay) { EXPECT_EQ(route_rows(Plan{
 TEST(RouteReport, WholeCostIsOneRow) {
   const std::string row = whole_cost_row(routed());
   EXPECT_EQ(row.find("whole cost   "), 0U) << row;
-  EXPECT_NE(row.find(": 0.25 h at 90 €/h, "), std::string::npos) << row;
-  EXPECT_NE(row.find(" l at 1.2 €/l, worked twice 0.00 €, missed 0.00 €; field efficiency "),
+  EXPECT_NE(row.find(", 0.25 h: machine 22.50 €, "), std::string::npos) << row;
+  EXPECT_NE(row.find(" l of fuel "), std::string::npos) << row;
+  EXPECT_NE(row.find(" €, worked twice 0.00 €, missed 0.00 €, stops 5.00 €; field efficiency "),
             std::string::npos)
       << row;
   EXPECT_EQ(whole_cost_row(Plan{}), "");

@@ -112,16 +112,18 @@ Compared compare(const Field& field, const Machine& machine, int layouts) {
     const double off_deg = angle_between(main_direction(whole), side).degrees();
     out.elongated = ratio >= kElongated;
     out.crosswise = out.elongated && !whole.pieces.empty() && off_deg > kCrosswise_deg;
-    PlanningProblem problem = with_track_prices(
-        planning_problem(field, machine, {}, settings_for(Aim::kWholeCost)));
+    PlanningProblem problem =
+        with_track_prices(planning_problem(field, machine, {}, settings_for(Aim::kWholeCost)));
     std::mt19937 random(20260101);
     for (int i = 0; i < layouts; ++i)
       if (const auto price = random_price(problem, random))
         out.random = out.random == 0 ? *price : std::min(out.random, *price);
-    fmt::print("  {}: {}; by tracks {}; length to width {:.1f}, {:.0f}° off the longest side (by tracks {:.0f}°){}{}\n",
-               field.id, figures(whole), figures(tracks), ratio, off_deg,
-               angle_between(main_direction(tracks), side).degrees(), out.crosswise ? ", crosswise" : "",
-               out.random > 0 ? fmt::format("; best of {} random ones {:.2f} €", layouts, out.random) : "");
+    fmt::print(
+        "  {}: {}; by tracks {}; length to width {:.1f}, {:.0f}° off the longest side (by tracks "
+        "{:.0f}°){}{}\n",
+        field.id, figures(whole), figures(tracks), ratio, off_deg,
+        angle_between(main_direction(tracks), side).degrees(), out.crosswise ? ", crosswise" : "",
+        out.random > 0 ? fmt::format("; best of {} random ones {:.2f} €", layouts, out.random) : "");
     std::fflush(stdout);
   } catch (const Error& error) {
     fmt::print("  {}: {}\n", field.id, error.what());
@@ -152,7 +154,8 @@ int run(const Machine& machine, std::size_t every, int layouts) {
     beaten += one.random > 0 && one.random < (1 - kBeaten) * one.whole ? 1 : 0;
   }
   fmt::print(
-      "w {:g} m, r {:g} m: {} plans, {:.0f} €, by the cost of tracks {:.0f} €, dearer {}; {} elongated, {} of them "
+      "w {:g} m, r {:g} m: {} plans, {:.0f} €, by the cost of tracks {:.0f} €, dearer {}; {} elongated, {} "
+      "of them "
       "crosswise; {} beaten by random layouts\n",
       machine.width_m, machine.radius_m, planned, whole, tracks, dearer, elongated, crosswise, beaten);
   return beaten == 0 ? 0 : 1;

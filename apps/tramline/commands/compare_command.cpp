@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "commands/command.h"
-#include "commands/job_cost_run.h"
 #include "commands/many_fields.h"
 #include "options/common_options.h"
 #include "options/field_options.h"
@@ -19,6 +18,7 @@
 #include "report/front_report.h"
 #include "request/machines_asked.h"
 #include "request/output_names.h"
+#include "tables/job_cost_run.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/write_plan.h"

@@ -1,12 +1,12 @@
 // The command `farm`: what the work on all fields of a file costs.
 
 #include "commands/command.h"
-#include "commands/job_cost_run.h"
 #include "options/common_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
 #include "output/search_end.h"
 #include "request/machines_asked.h"
+#include "tables/job_cost_run.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {

@@ -10,7 +10,6 @@
 
 #include "commands/command.h"
 #include "commands/many_fields.h"
-#include "commands/map_table_run.h"
 #include "commands/plan_run_input.h"
 #include "options/common_options.h"
 #include "options/field_options.h"
@@ -26,6 +25,7 @@
 #include "report/route_report.h"
 #include "request/field_key.h"
 #include "request/output_names.h"
+#include "tables/map_table_run.h"
 #include "tramline/geodesy/crs.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"

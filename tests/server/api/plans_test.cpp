@@ -11,7 +11,8 @@ namespace {
 
 TEST_F(ServerTest, PlansAFieldAndKeepsThePlan) {
   const std::string field = served.field_of("plain-metres.gpkg");
-  const std::string id = served.planned(field, {{"end_rule", "cover"}, {"headlands", 1}}, true);
+  const std::string id = served.planned(
+      field, {{"end_rule", "cover"}, {"headlands", 1}, {"obstacle_headlands", 0}, {"route", false}}, true);
   const ordered_json listed = served.get("/plans?field=" + field).json;
   ASSERT_EQ(listed.size(), 1U);
   EXPECT_EQ(listed[0]["id"], id);

@@ -61,7 +61,7 @@ TEST_F(ServerTest, RoutesAreALayerOfTheMap) {
 }
 
 TEST_F(ServerTest, PlansWithoutARouteSayNothingOfOne) {
-  const std::string id = served.planned(square_field(served));
+  const std::string id = served.planned(square_field(served), {{"route", false}});
   EXPECT_FALSE(served.get("/plans/" + id).json["summary"].contains("route"));
   for (const auto& layer : served.get("/plans/" + id + "/layers").json)
     EXPECT_NE(layer["name"], "route_legs");
@@ -93,7 +93,8 @@ TEST_F(ServerTest, GatesOfFieldsInPlainMetresAreWhereTheyAreShown) {
   const ordered_json box = served.get("/fields/" + field).json["bbox"];
   const double lon = (box[0].get<double>() + box[2].get<double>()) / 2,
                lat = (box[1].get<double>() + box[3].get<double>()) / 2;
-  const std::string id = served.planned(field, {{"route", true}, {"start", {lon, lat}}});
+  const std::string id =
+      served.planned(field, {{"route", true}, {"boundary", "soft"}, {"headlands", 0}, {"start", {lon, lat}}});
   const ordered_json legs = served.get("/plans/" + id + "/layers/route_legs").json["features"];
   ASSERT_FALSE(legs.empty());
   const ordered_json first = legs.front()["geometry"]["coordinates"].front();
@@ -118,8 +119,8 @@ TEST_F(ServerTest, RefusesWhatIsNoRoute) {
   refused({{"route", true}, {"start", {9.0, "north"}}}, "settings.start");
   refused({{"route", true}, {"start", {9.2, 50.0}}}, "the start of the route");
   refused({{"route", true}, {"end", {9.2, 50.0}}}, "the end of the route");
-  refused({{"start", {9.0005, 50.0005}}}, "settings.start is for a route");
-  refused({{"headland_time", "first"}}, "settings.headland_time is for a route");
+  refused({{"route", false}, {"start", {9.0005, 50.0005}}}, "settings.start is for a route");
+  refused({{"route", false}, {"headland_time", "first"}}, "settings.headland_time is for a route");
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ struct Table {
 };
 
 /// Draws the table to a PDF, on as many upright pages of A4 as it needs, each with its head. The same input
-/// gives the same bytes. The file is written whole or not at all. Throws bad_input for another extension,
-/// Error(kFailure) when the file cannot be written. Precondition: the head has a cell.
+/// gives the same bytes. The file is written whole or not at all. Throws bad_input for another extension and
+/// where there is no column, Error(kFailure) when the file cannot be written.
 void draw_table(const Table& table, const std::filesystem::path& path);
 
 /// The layout used by draw_plan(); its view maps a point of the field to its pixel.

@@ -132,7 +132,8 @@ class Comparison {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
     for (const int step : {1, -1})
       for (int passes = layouts_.least_passes() + step; passes > 0; passes += step)
-        if (context_.has_to_end() || !improves_with(layouts_.all_round(passes, best().passes.obstacles))) break;
+        if (context_.has_to_end() || !improves_with(layouts_.all_round(passes, best().passes.obstacles)))
+          break;
   }
 
   bool improves_with(const PassesByBoundary& passes) {

@@ -111,6 +111,7 @@ class TablePages {
 void draw_table(const Table& table, const std::filesystem::path& path) {
   if (format_of(path) != PictureFormat::kPdf)
     throw bad_input(fmt::format("table {}: the name of a table to print ends in .pdf", path.string()));
+  if (table.head.empty()) throw bad_input("a table without columns cannot be drawn");
   write_whole(path, TablePages(table).run());
 }
 

@@ -1,4 +1,4 @@
-#include "commands/map_table_run.h"
+#include "tables/map_table_run.h"
 
 #include <fmt/format.h>
 

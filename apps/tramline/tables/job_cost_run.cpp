@@ -1,4 +1,4 @@
-#include "commands/job_cost_run.h"
+#include "tables/job_cost_run.h"
 
 #include <fmt/format.h>
 
