@@ -21,6 +21,11 @@ def key(name, value):
     return f"UPDATE metadata SET value = {value} WHERE key = '{name}'"
 
 
+def where_above_0(name):
+    """Restricts a change of a key to plans in which another one is above 0."""
+    return f" AND (SELECT CAST(value AS REAL) FROM metadata WHERE key = '{name}') > 0"
+
+
 def row(layer, assignment, where="fid = (SELECT min(fid) FROM {layer})"):
     return f"UPDATE {layer} SET {assignment} WHERE " + where.format(layer=layer)
 
@@ -44,14 +49,15 @@ CHANGES = [
      key("proof.one_direction_bound", "(SELECT value FROM metadata WHERE key = 'proof.one_direction_cost')"),
      "proof.one_direction_bound"),
     ("negative one-direction bound", key("proof.one_direction_bound", "'-0.5'"), FOUND),
-    ("one-direction cost below the bound", key("proof.one_direction_cost", "'0.001'"), FOUND),
+    ("one-direction cost below the bound", key("proof.one_direction_cost", "'0.001'") + where_above_0("proof.bound"),
+     FOUND),
     ("one-direction cost raised", key("proof.one_direction_cost", "value + 1"), "proof.one_direction_cost"),
     ("directions tried", key("directions_tried", "value + 1"), "directions_tried"),
     ("cost lowered", key("cost", "value * 0.999"), FOUND),
     ("price of overlap lowered", key("objective.overlap", "value * 0.9"), FOUND),
     ("price of uncovered land lowered", key("objective.uncovered", "value * 0.9"), FOUND),
     ("price of a turn lowered", key("objective.turn", "value * 0.9"), FOUND),
-    ("price of a stop lowered", key("objective.stop", "value * 0.9"), FOUND),
+    ("price of a stop lowered", key("objective.stop", "value * 0.9") + where_above_0("tally.stops"), FOUND),
     ("price of a turn negative", key("objective.turn", "'-1'"), FOUND),
     ("price of a subfield lowered", key("objective.subfield", "value * 0.9"), "objective.subfield"),
     ("worked area", key("tally.worked_m2", "value + 1"), FOUND),
@@ -140,11 +146,33 @@ CHANGES = [
     ("front: degrees", row("front", "direction_deg = '[1]'", "number = 2"), FOUND),
     ("front: prices", row("front", "laid_for_turn = 9", "number = 2"), "front.laid_for"),
     ("front: number", row("front", "number = 77", "number = 2"), FOUND),
+    ("route: a leg is missing", "DELETE FROM route_legs WHERE seq = 3", FOUND),
+    ("route: a leg comes twice", row("route_legs", "seq = 3", "seq = 5"), FOUND),
+    ("route: what a leg is", row("route_legs", "kind = 'transit'", "seq = 1"), FOUND),
+    ("route: work off on a track", row("route_legs", "work = 0", "seq = 1"), FOUND),
+    ("route: work on in a turn", row("route_legs", "work = 1", "seq = 2"), FOUND),
+    ("route: gear", row("route_legs", "gear = 'reverse'", "seq = 2"), FOUND),
+    ("route: another piece", row("route_legs", "piece = 2", "seq = 1"), FOUND),
+    ("route: length of a leg", row("route_legs", "length_m = length_m + 0.1", "seq = 2"), FOUND),
+    ("route: time of a leg", row("route_legs", "time_s = time_s - 1", "seq = 1"), FOUND),
+    ("route: room that is there", row("route_legs", "missing_m = 3", "seq = 2"), FOUND),
+    ("route: stretches of another leg",
+     "UPDATE route_legs SET stretches = (SELECT stretches FROM route_legs WHERE seq = 2) WHERE seq = 4", FOUND),
+    ("route: bound raised", key("route.bound_s", "value + 10"), FOUND),
+    ("route: bound above the time", key("route.bound_s", "value * 2"), FOUND),
+    # Along edges of worked land a few metres may belong to either side.
+    ("route: over worked land", key("route.over_worked_m", "value + 50"), FOUND),
+    ("route: over unworked land", key("route.over_unworked_m", "value - 50"), FOUND),
+    ("route: over land of tracks", key("route.over_tracks_m", "value + 50"), FOUND),
+    ("route: end at another place", key("settings.route.end", "'40 40'"), FOUND),
+    ("route: speed at work", key("machine.working_speed_mps", "'2'"), FOUND),
+    ("route: speed of turns", key("machine.turning_speed_mps", "'3'"), FOUND),
 ]
 
 
 def plans(tramline, examples, folder):
-    """One with a front and tracks that stop, one with headlands: a change is planted where it changes anything."""
+    """One with a front and tracks that stop, one with headlands, and one with a route from end to end: a change is
+    planted where it changes anything."""
     field = examples / "riverside.geojson"
     front, headlands = folder / "front.gpkg", folder / "headlands.gpkg"
     for plan, options in [(front, ["--width", "6", "--front"]),
@@ -152,7 +180,11 @@ def plans(tramline, examples, folder):
                                        "--prices", "0.02,0.10,1,5,5"])]:
         subprocess.run([tramline, "plan", str(field), "--radius", "6", "--quiet", "-o", str(plan), *options],
                        check=True, stdout=subprocess.DEVNULL)
-    return [front, headlands]
+    route = folder / "route.gpkg"
+    subprocess.run([tramline, "plan", str(examples / "plain-metres.gpkg"), "--radius", "6", "--width", "6", "--quiet",
+                    "--end", "20,20", "--operation", "spraying", "--sections", "4", "-o", str(route)],
+                   check=True, stdout=subprocess.DEVNULL)
+    return [front, headlands, route]
 
 
 def checked(tramline, plan):
