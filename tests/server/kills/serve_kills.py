@@ -191,7 +191,8 @@ class Worker(threading.Thread):
     def new_plan(self):
         field = self.server.call("POST", "/fields", {"name": self.name(), "geometry": square(self.chance)})
         self.ledger.set("fields", field["id"], {"id": field["id"], "name": field["name"]})
-        job = self.server.call("POST", "/jobs", {"kind": "plan", "field": field["id"], "machine": MACHINE})
+        job = self.server.call("POST", "/jobs", {"kind": "plan", "field": field["id"], "machine": MACHINE,
+                                                 "objective": {"minimise": "overlap"}})
         ident = self.server.end_of(job)["plan"]
         self.told_or_named("plans", ident, {"name": field["name"]})
 
