@@ -153,7 +153,7 @@ class Comparison {
   /// Obstacles with headlands lose them, and those without get them.
   void vary_obstacles() {
     if (problem_.settings.obstacle_headland_rule != HeadlandRule::kTurns) return;
-    const std::vector<int>& needed = layouts_.obstacle_passes();
+    const std::vector<int> needed = layouts_.passes_round_all();
     const auto count = static_cast<std::size_t>(
         std::count_if(needed.begin(), needed.end(), [](int passes) { return passes > 0; }));
     if (count > kMostObstaclesAlone) return;

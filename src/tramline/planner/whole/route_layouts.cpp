@@ -20,6 +20,8 @@ namespace {
 /// Directions nearer to one another are one.
 constexpr double kSameDirection_deg = 1;
 constexpr double kAlmostWhole = 1e-9;
+/// Fields with no more obstacles are planned with headlands round all of them too.
+constexpr std::ptrdiff_t kFewObstacles = 6;
 /// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
 constexpr int kMorePasses = 2;
 
@@ -178,12 +180,28 @@ std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<L
   return out;
 }
 
+std::vector<int> RouteLayouts::passes_round_all() const {
+  std::vector<int> out = obstacle_passes_;
+  const std::vector<Obstacle>& obstacles = problem_.field.obstacles;
+  const auto solid = std::count_if(obstacles.begin(), obstacles.end(), [](const Obstacle& obstacle) {
+    return obstacle.kind == ObstacleKind::kObstacle;
+  });
+  if (solid > kFewObstacles) return out;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (obstacles[i].kind == ObstacleKind::kObstacle && out[i] == 0) out[i] = least_passes_;
+  return out;
+}
+
 std::vector<LaidOut> RouteLayouts::to_begin_with() {
   const bool by_turns = problem_.settings.headland_rule == HeadlandRule::kTurns;
   std::vector<std::vector<int>> round_obstacles{obstacle_passes_};
   const std::vector<int> none(obstacle_passes_.size(), 0);
-  if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns && obstacle_passes_ != none)
-    round_obstacles.push_back(none);
+  if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) {
+    // Where tracks of the bare field go round an obstacle, those behind its headlands may end there.
+    for (const std::vector<int>& other : {none, passes_round_all()})
+      if (std::find(round_obstacles.begin(), round_obstacles.end(), other) == round_obstacles.end())
+        round_obstacles.push_back(other);
+  }
   std::vector<LaidOut> out;
   std::vector<Job> jobs;
   for (const std::vector<int>& obstacles : round_obstacles) {

@@ -33,11 +33,13 @@ class RouteLayouts {
   int least_passes() const { return least_passes_; }
   /// By obstacle: as many as turns need, 0 where all tracks go round it.
   const std::vector<int>& obstacle_passes() const { return obstacle_passes_; }
+  /// The same, with the least passes round the others where a field has few obstacles.
+  std::vector<int> passes_round_all() const;
 
   /// The curved layouts, the tracks of least cost, and those along the longest side and the length of the
   /// field, behind the passes asked for, or behind the least passes all round; the same without the headlands
-  /// of obstacles that follow from turns; and each of these but the searched ones behind passes where their
-  /// tracks end.
+  /// of obstacles that follow from turns, and with passes_round_all(); and each of these but the searched
+  /// ones behind passes where their tracks end.
   std::vector<LaidOut> to_begin_with();
 
   PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
