@@ -170,6 +170,17 @@ std::string tally_rows(const Plan& plan) {
   return out;
 }
 
+void add_proof_keys(ordered_json& out, const Plan& plan) {
+  const bool proven = is_proven(plan);
+  const Proof& proof = plan.proof;
+  out["bound"] = proven ? ordered_json(proof.bound) : ordered_json();
+  out["gap"] = proven ? ordered_json(gap(plan.cost, proof.bound)) : ordered_json();
+  out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
+  out["gap_one_direction"] =
+      proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
+  out["cut_short"] = proof.cut_short;
+}
+
 }  // namespace
 
 ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
@@ -217,14 +228,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["given_up_m2"] = area(plan.given_up);
   out["cost"] = plan.cost;
   add_map_keys(out, plan);
-  const bool proven = is_proven(plan);
-  const Proof& proof = plan.proof;
-  out["bound"] = proven ? ordered_json(proof.bound) : ordered_json();
-  out["gap"] = proven ? ordered_json(gap(plan.cost, proof.bound)) : ordered_json();
-  out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
-  out["gap_one_direction"] =
-      proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
-  out["cut_short"] = proof.cut_short;
+  add_proof_keys(out, plan);
   out["weights"] = weights_json(plan.objective);
   add_obstacle_keys(out, plan);
   out["repairs"] = repairs_json(plan.field.repairs);

@@ -9,21 +9,6 @@
 #include "tramline/io/machine/read_machine.h"
 
 namespace tramline::app {
-namespace {
-
-std::vector<std::string> parted(const std::string& text) {
-  std::vector<std::string> out;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    out.push_back(text.substr(from, comma - from));
-    from = comma + 1;
-  }
-  return out;
-}
-
-}  // namespace
-
 std::vector<Machine> machines_asked(const Machine& machine, const std::string& widths,
                                     const std::string& files) {
   if (!widths.empty() && !files.empty())
@@ -38,7 +23,7 @@ std::vector<Machine> machines_asked(const Machine& machine, const std::string& w
     return out;
   }
   if (files.empty()) return {machine};
-  for (const std::string& file : parted(files)) {
+  for (const std::string& file : words_of(files)) {
     out.push_back(io::read_machine(file));
     if (out.back().name.empty()) out.back().name = file;
     const std::string& name = out.back().name;

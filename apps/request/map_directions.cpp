@@ -11,20 +11,6 @@
 namespace tramline::app {
 namespace {
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> out;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    std::string word = text.substr(from, comma - from);
-    word.erase(0, std::min(word.find_first_not_of(' '), word.size()));
-    word.erase(word.find_last_not_of(' ') + 1);
-    out.push_back(std::move(word));
-    from = comma + 1;
-  }
-  return out;
-}
-
 std::optional<double> number_in(const std::string& word) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
@@ -74,6 +60,20 @@ MapDirections edge_directions(const Field& field, Angle merge) {
   if (out.all.size() > kMostEdgeDirections) {
     out.edges_left_out = out.all.size() - kMostEdgeDirections;
     out.all.resize(kMostEdgeDirections);
+  }
+  return out;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> out;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    std::string word = text.substr(from, comma - from);
+    word.erase(0, std::min(word.find_first_not_of(' '), word.size()));
+    word.erase(word.find_last_not_of(' ') + 1);
+    out.push_back(std::move(word));
+    from = comma + 1;
   }
   return out;
 }

@@ -56,6 +56,8 @@ MapDirections map_directions(const DirectionWords& words, const Field& field, An
 
 /// "2,4,6": working widths, m, each once, in the order given. Throws bad_input.
 std::vector<double> map_widths(const std::string& text);
+/// The words between commas, without the spaces round them.
+std::vector<std::string> words_of(const std::string& text);
 
 /// The settings for a map in this direction. Edges and angles are anchored at the envelope unless the
 /// settings say otherwise. Throws bad_input where an angle is to be anchored at a line: it has none.

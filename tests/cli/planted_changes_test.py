@@ -160,10 +160,10 @@ CHANGES = [
      "UPDATE route_legs SET stretches = (SELECT stretches FROM route_legs WHERE seq = 2) WHERE seq = 4", FOUND),
     ("route: bound raised", key("route.bound_s", "value + 10"), FOUND),
     ("route: bound above the time", key("route.bound_s", "value * 2"), FOUND),
-    # Along edges of worked land a few metres may belong to either side.
-    ("route: over worked land", key("route.over_worked_m", "value + 50"), FOUND),
-    ("route: over unworked land", key("route.over_unworked_m", "value - 50"), FOUND),
-    ("route: over land of tracks", key("route.over_tracks_m", "value + 50"), FOUND),
+    # Along edges of worked land and of the body, metres may belong to either side.
+    ("route: over worked land", key("route.over_worked_m", "value + 500"), FOUND),
+    ("route: over unworked land", key("route.over_unworked_m", "'0'"), FOUND),
+    ("route: over land of tracks", key("route.over_tracks_m", "value + 500"), FOUND),
     ("route: end at another place", key("settings.route.end", "'40 40'"), FOUND),
     ("route: speed at work", key("machine.working_speed_mps", "'2'"), FOUND),
     ("route: speed of turns", key("machine.turning_speed_mps", "'3'"), FOUND),
@@ -173,18 +173,15 @@ CHANGES = [
 def plans(tramline, examples, folder):
     """One with a front and tracks that stop, one with headlands, and one with a route from end to end: a change is
     planted where it changes anything."""
-    field = examples / "riverside.geojson"
-    front, headlands = folder / "front.gpkg", folder / "headlands.gpkg"
-    for plan, options in [(front, ["--width", "6", "--front"]),
-                          (headlands, ["--width", "12", "--headlands", "1", "--obstacle-headlands", "1",
-                                       "--prices", "0.02,0.10,1,5,5"])]:
-        subprocess.run([tramline, "plan", str(field), "--radius", "6", "--quiet", "-o", str(plan), *options],
-                       check=True, stdout=subprocess.DEVNULL)
-    route = folder / "route.gpkg"
-    subprocess.run([tramline, "plan", str(examples / "plain-metres.gpkg"), "--radius", "6", "--width", "6", "--quiet",
-                    "--end", "20,20", "--operation", "spraying", "--sections", "4", "-o", str(route)],
-                   check=True, stdout=subprocess.DEVNULL)
-    return [front, headlands, route]
+    wanted = [("front", "riverside.geojson", ["--width", "6", "--front"]),
+              ("headlands", "riverside.geojson",
+               ["--width", "12", "--headlands", "1", "--obstacle-headlands", "1", "--prices", "0.02,0.10,1,5,5"]),
+              ("route", "plain-metres.gpkg",
+               ["--width", "6", "--end", "20,20", "--operation", "spraying", "--sections", "4"])]
+    for name, field, options in wanted:
+        subprocess.run([tramline, "plan", str(examples / field), "--radius", "6", "--quiet", "-o",
+                        str(folder / f"{name}.gpkg"), *options], check=True, stdout=subprocess.DEVNULL)
+    return [folder / f"{name}.gpkg" for name, _, _ in wanted]
 
 
 def checked(tramline, plan):

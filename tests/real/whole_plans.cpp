@@ -39,11 +39,7 @@ PlanSettings settings_for(Aim aim) {
   return out;
 }
 
-/// With so much for a leg without room as the planner has.
-double price_of(const Plan& plan) {
-  return whole_cost(plan).euros() +
-         10 * rates_of(plan.machine).price_per_stop * static_cast<double>(sums_of(plan.route).without_room);
-}
+double price_of(const Plan& plan) { return compared_price(alternative_of(Alternative::kSearched, plan)); }
 
 struct Compared {
   bool planned = false, elongated = false, crosswise = false;

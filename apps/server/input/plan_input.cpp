@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -166,38 +167,43 @@ Objective objective_in(const ordered_json& json) {
           prices.number_if("subfield").value_or(Objective{}.subfield)};
 }
 
+namespace {
+
+constexpr std::array kSettingsKeys = {"like",
+                                      "strategy",
+                                      "end_rule",
+                                      "boundary",
+                                      "headlands",
+                                      "obstacle_headlands",
+                                      "curved",
+                                      "line",
+                                      "avoid",
+                                      "avoid_threshold_m",
+                                      "avoid_room_m",
+                                      "clearance_m",
+                                      "merge_deg",
+                                      "decomposition_deg",
+                                      "short_edge_m",
+                                      "direction_tolerance_deg",
+                                      "cell_direction",
+                                      "tracks",
+                                      "ab_anchor",
+                                      "turns",
+                                      "spacing",
+                                      "turn_room_m",
+                                      "towing_error_m",
+                                      "route",
+                                      "order",
+                                      "headland_time",
+                                      "pass_sequence",
+                                      "start",
+                                      "end"};
+
+}  // namespace
+
 SettingsInput settings_in(const ordered_json& asked, Defaults defaults) {
   const ordered_json json = asked.is_null() ? ordered_json::object() : asked;
-  const JsonInput input(json, "settings",
-                        {"like",
-                         "strategy",
-                         "end_rule",
-                         "boundary",
-                         "headlands",
-                         "obstacle_headlands",
-                         "curved",
-                         "line",
-                         "avoid",
-                         "avoid_threshold_m",
-                         "avoid_room_m",
-                         "clearance_m",
-                         "merge_deg",
-                         "decomposition_deg",
-                         "short_edge_m",
-                         "direction_tolerance_deg",
-                         "cell_direction",
-                         "tracks",
-                         "ab_anchor",
-                         "turns",
-                         "spacing",
-                         "turn_room_m",
-                         "towing_error_m",
-                         "route",
-                         "order",
-                         "headland_time",
-                         "pass_sequence",
-                         "start",
-                         "end"});
+  const JsonInput input(json, "settings", kSettingsKeys);
   app::PlanOptions options;
   options.turns = input.flag_if("turns").value_or(false);
   take_word(input, "like", options.like);

@@ -151,6 +151,43 @@ void add_line_options(CommandOptions& command, PlanOptions& o, PlanDefaults defa
   tracks.takes("WORD").shows_default("parallel");
 }
 
+void add_search_options(CommandOptions& command, PlanOptions& o) {
+  command.begin_group("Search");
+  command
+      .add_option("--strategy", o.strategy,
+                  "'best' of all directions, offsets and divisions of the field, or 'sweep', the search of "
+                  "Versleijen 2019 over the directions of the field's edges.")
+      .takes("WORD")
+      .shows_default("best");
+  command
+      .add_option("--direction-tolerance", o.direction_tolerance_deg,
+                  "With --strategy best: directions nearer to one another than this count as one, in "
+                  "degrees.")
+      .takes("DEG")
+      .shows_default("0.01");
+  command
+      .add_option("--decomposition", o.decomposition_deg,
+                  "Split the field at corners whose inside angle is larger than this, in degrees.")
+      .takes("DEG")
+      .shows_default("180");
+  command
+      .add_option("--short-edge", o.short_edge_m,
+                  "Do not split at corners between two edges that are both shorter than this, in metres.")
+      .takes("M")
+      .shows_default("0");
+  command
+      .add_option("--merge", o.merge_deg,
+                  "Merge subfields whose directions differ by no more than this, in degrees.")
+      .takes("DEG")
+      .shows_default("1");
+  command
+      .add_option("--cell-direction", o.cell_direction,
+                  "Direction of a cell's tracks: 'rectangle', along the long side of its smallest bounding "
+                  "rectangle, or 'width', at right angles to its least width.")
+      .takes("WORD")
+      .shows_default("rectangle");
+}
+
 }  // namespace
 
 void add_machine_options(CommandOptions& command, PlanOptions& o, const char* least_length) {
@@ -310,40 +347,7 @@ void add_plan_options(CommandOptions& command, PlanOptions& o, PlanDefaults defa
   add_turning_options(command, o.turning);
   add_rate_options(command, o.rates);
   add_objective_options(command, o, defaults);
-  command.begin_group("Search");
-  command
-      .add_option("--strategy", o.strategy,
-                  "'best' of all directions, offsets and divisions of the field, or 'sweep', the search of "
-                  "Versleijen 2019 over the directions of the field's edges.")
-      .takes("WORD")
-      .shows_default("best");
-  command
-      .add_option("--direction-tolerance", o.direction_tolerance_deg,
-                  "With --strategy best: directions nearer to one another than this count as one, in "
-                  "degrees.")
-      .takes("DEG")
-      .shows_default("0.01");
-  command
-      .add_option("--decomposition", o.decomposition_deg,
-                  "Split the field at corners whose inside angle is larger than this, in degrees.")
-      .takes("DEG")
-      .shows_default("180");
-  command
-      .add_option("--short-edge", o.short_edge_m,
-                  "Do not split at corners between two edges that are both shorter than this, in metres.")
-      .takes("M")
-      .shows_default("0");
-  command
-      .add_option("--merge", o.merge_deg,
-                  "Merge subfields whose directions differ by no more than this, in degrees.")
-      .takes("DEG")
-      .shows_default("1");
-  command
-      .add_option("--cell-direction", o.cell_direction,
-                  "Direction of a cell's tracks: 'rectangle', along the long side of its smallest bounding "
-                  "rectangle, or 'width', at right angles to its least width.")
-      .takes("WORD")
-      .shows_default("rectangle");
+  add_search_options(command, o);
   command.begin_group("Swaths");
   command
       .add_option("--end-rule", o.end_rule,

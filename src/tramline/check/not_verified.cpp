@@ -41,7 +41,8 @@ void add_settings(const Plan& plan, Names& out) {
         "settings.clearance_m", "settings.shape", "settings.tracks", "settings.guide", "settings.ab_anchor"})
     out.emplace_back(key);
   const auto& passes = plan.headland.obstacle_passes;
-  if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
+  const bool by_turns = plan.settings.obstacle_headland_rule == HeadlandRule::kTurns;
+  if (by_turns || std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
     out.emplace_back("settings.obstacle_headlands");
   if (plan.headland.passes.empty()) out.emplace_back("headland.construction");
   if (!references(plan).empty()) out.emplace_back(common_reference(plan) ? "reference" : "references");

@@ -128,11 +128,6 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   return out;
 }
 
-bool follows_curve(const Candidate& candidate) {
-  return std::any_of(candidate.subfields.begin(), candidate.subfields.end(),
-                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
-}
-
 /// The plan where the user has divided the land.
 ExplainedPlan divided_as_given(const PlanningProblem& problem, const SearchContext& context,
                                Explain explain) {
@@ -142,7 +137,7 @@ ExplainedPlan divided_as_given(const PlanningProblem& problem, const SearchConte
   if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}, context), std::nullopt};
   SearchResult found =
       prepared->found ? std::move(*prepared->found) : given_search(problem, prepared->field, context);
-  const bool curved = follows_curve(found.best);
+  const bool curved = follow_curves(found.best.subfields);
   if (problem.settings.shape == TrackShape::kCurved && !curved) throw no_curve(problem.field, false);
   if (!curved) return straight_plan(task, std::move(found), context, explain);
   return {finished_plan(task, std::move(found), context), std::nullopt};
@@ -238,11 +233,6 @@ ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, c
   return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
 }
 
-bool has_curves(const Plan& plan) {
-  return std::any_of(plan.subfields.begin(), plan.subfields.end(),
-                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
-}
-
 /// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do: of
 /// straight tracks, and with curves where these cost less.
 std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const SearchContext& context) {
@@ -253,7 +243,7 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
     return searched(with_shape(bare, shape), context.for_layout().without_bound(), Explain::kNo).plan;
   };
   std::vector<Plan> out{layout_of(bare.settings.shape)};
-  if (has_curves(out.front())) out.insert(out.begin(), layout_of(TrackShape::kStraight));
+  if (follow_curves(out.front().subfields)) out.insert(out.begin(), layout_of(TrackShape::kStraight));
   return out;
 }
 

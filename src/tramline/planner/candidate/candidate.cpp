@@ -107,6 +107,11 @@ std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep) {
   return out;
 }
 
+bool follow_curves(const std::vector<Subfield>& subfields) {
+  return std::any_of(subfields.begin(), subfields.end(),
+                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
+}
+
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
   return encounters_in(avoidance_task(task, candidate), candidate.avoided);
 }

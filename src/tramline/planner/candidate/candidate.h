@@ -51,6 +51,9 @@ double cost_by_rule(const SearchTask& task, const std::vector<LinedSubfield>& li
 /// functions here.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);
 
+/// Whether the tracks of any of the subfields follow a line.
+bool follow_curves(const std::vector<Subfield>& subfields);
+
 /// The choices made where its tracks reach obstacles, in the form of encounters_in().
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate);
 

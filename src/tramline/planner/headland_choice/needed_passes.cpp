@@ -11,6 +11,7 @@
 #include "tramline/turns/outline/swept_reach.h"
 #include "tramline/turns/room/places_off.h"
 #include "tramline/turns/turn_off.h"
+#include "tramline/turns/turn_table.h"
 
 namespace tramline {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 /// Depths that exceed whole passes by less need no further pass, m: what check allows a turn to be off.
 constexpr double kSameDepth_m = 1e-3;
 
-int passes_for(double depth_m, double width_m) {
-  return std::max(0, static_cast<int>(std::ceil((depth_m - kSameDepth_m) / width_m)));
-}
+int passes_needed(double depth_m, double width_m) { return passes_for(depth_m - kSameDepth_m, width_m); }
 
 /// A stretch of the outer ring, from one place to another anticlockwise along its vertices, and the passes
 /// that a turn needs there.
@@ -126,8 +125,8 @@ class Needs {
     int least = std::numeric_limits<int>::max();
     for (const HopWay& way : manoeuvres_over(square, plan_.machine, {}))
       if (!way.manoeuvre.path.empty())
-        least = std::min(least, passes_for(swept_reach_m(way.manoeuvre.path, outline_, {0, 0}, {1, 0}),
-                                           plan_.machine.width_m));
+        least = std::min(least, passes_needed(swept_reach_m(way.manoeuvre.path, outline_, {0, 0}, {1, 0}),
+                                              plan_.machine.width_m));
     return kObliqueBorders * std::max(1, least);
   }
 
@@ -137,7 +136,7 @@ class Needs {
     const double slope = std::abs(dot(place.outward, direction_));
     // An inner seam with land enough behind it needs no headland at the boundary beyond.
     if (place.ahead_m * slope >= depth_m) return 0;
-    return std::min(most_, passes_for(depth_m, plan_.machine.width_m));
+    return std::min(most_, passes_needed(depth_m, plan_.machine.width_m));
   }
 
   void add(const Hop& hop) {
@@ -259,7 +258,7 @@ class Lacking {
 
   void add(const SteeredPath& path) {
     if (path.empty()) return;
-    const int passes = passes_for(land_.missing_m(path, outline_), plan_.machine.width_m);
+    const int passes = passes_needed(land_.missing_m(path, outline_), plan_.machine.width_m);
     if (passes == 0) return;
     for (const Point& off : places_off(land_.edges(), path, outline_, plan_.machine.width_m / kStepsAWidth)) {
       int& more = nearest_to(plan_.field, off, more_);

@@ -9,7 +9,6 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
-#include "tramline/planner/prepare_field.h"
 #include "tramline/planner/whole/route_floor.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
@@ -17,31 +16,12 @@
 namespace tramline {
 namespace {
 
-/// A leg without room cannot be driven as it is planned: it is avoided at the price of so many stops.
-constexpr double kStopsWithoutRoom = 10;
 /// Tracks laid anew come near where their floor is above the least price by no more than this share.
 constexpr double kComesNear = 0.1;
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
 constexpr double kExpected = 0.4;
+/// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
-/// Obstacles lose or get their headlands one by one where there are no more of them than this.
-constexpr std::size_t kMostObstaclesAlone = 6;
-
-double price_of(const Plan& plan) {
-  const auto without_room = static_cast<double>(sums_of(plan.route).without_room);
-  return whole_cost(plan).euros() + kStopsWithoutRoom * rates_of(plan.machine).price_per_stop * without_room;
-}
-
-RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
-  RouteAlternative out;
-  out.kind = kind;
-  for (const Subfield& subfield : plan.subfields) out.directions.push_back(subfield.direction);
-  out.headlands = plan.settings.headlands;
-  out.all_round = plan.settings.headland_edges.empty();
-  out.cost = whole_cost(plan);
-  out.without_room = sums_of(plan.route).without_room;
-  return out;
-}
 
 /// A plan to be compared. It has its route where it has a price.
 struct Entry {
@@ -86,8 +66,8 @@ class Comparison {
     HeadlandTrial& trial = entry.laid.trial;
     trial.problem.settings.turns = TurnPlanning::kRoute;
     trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
-    entry.price = price_of(trial.draft.plan);
     all_.push_back(alternative_of(entry.laid.kind, trial.draft.plan));
+    entry.price = compared_price(all_.back());
   }
 
   /// What the routes of this field cost beyond their floors at the least, so far; of that a part may be
@@ -156,7 +136,7 @@ class Comparison {
     const std::vector<int> needed = layouts_.passes_round_all();
     const auto count = static_cast<std::size_t>(
         std::count_if(needed.begin(), needed.end(), [](int passes) { return passes > 0; }));
-    if (count > kMostObstaclesAlone) return;
+    if (count > kFewObstacles) return;
     for (std::size_t i = 0; i < needed.size(); ++i) {
       if (needed[i] == 0) continue;
       std::vector<int> passes = best().passes.obstacles;
@@ -211,7 +191,7 @@ class Comparison {
       Plan plan = room_for_turns();
       if (!plan.route.planned()) return plan;
       all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
-      if (price_of(plan) < least_price()) return plan;
+      if (compared_price(all_.back()) < least_price()) return plan;
     } catch (const Error& error) {
       if (!best_ || error.kind() != ErrorKind::kBadInput) throw;
     }
@@ -220,12 +200,8 @@ class Comparison {
 
   ComparedRoutes compared(std::optional<Plan> deepened) {
     ComparedRoutes out;
-    const double stop = rates_of(problem_.machine).price_per_stop;
-    const auto price = [stop](const RouteAlternative& one) {
-      return one.cost.euros() + kStopsWithoutRoom * stop * static_cast<double>(one.without_room);
-    };
-    std::stable_sort(all_.begin(), all_.end(), [&](const RouteAlternative& a, const RouteAlternative& b) {
-      return price(a) < price(b);
+    std::stable_sort(all_.begin(), all_.end(), [](const RouteAlternative& a, const RouteAlternative& b) {
+      return compared_price(a) < compared_price(b);
     });
     out.all = std::move(all_);
     if (deepened) {
@@ -279,6 +255,22 @@ const char* name(Alternative alternative) {
       return "room for turns";
   }
   return "";
+}
+
+RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
+  RouteAlternative out;
+  out.kind = kind;
+  for (const Subfield& subfield : plan.subfields) out.directions.push_back(subfield.direction);
+  out.headlands = plan.settings.headlands;
+  out.all_round = plan.settings.headland_edges.empty();
+  out.cost = whole_cost(plan);
+  out.without_room = sums_of(plan.route).without_room;
+  return out;
+}
+
+double compared_price(const RouteAlternative& one) {
+  constexpr double kWithoutRoom = 50;  // ten stops at the usual price
+  return one.cost.euros() + kWithoutRoom * static_cast<double>(one.without_room);
 }
 
 bool compares_routes(const PlanSettings& settings) {

@@ -1,5 +1,4 @@
 #include "tramline/planner/whole/route_floor.h"
-#include "tramline/model/rate_values.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,33 +1,30 @@
 #include "tramline/planner/whole/route_layouts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/bounding_rectangle.h"
+#include "tramline/headland/body.h"
 #include "tramline/planner/explain/longest_side.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/headland_choice/foreseen_passes.h"
 #include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
+#include "tramline/turns/turn_table.h"
 
 namespace tramline {
 namespace {
 
 /// Directions nearer to one another are one.
 constexpr double kSameDirection_deg = 1;
-constexpr double kAlmostWhole = 1e-9;
-/// Fields with no more obstacles are planned with headlands round all of them too.
-constexpr std::ptrdiff_t kFewObstacles = 6;
 /// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
 constexpr int kMorePasses = 2;
 
 int least_passes_of(const Machine& machine) {
   const double depth_m = machine.radius_m + std::max(0.5 * machine.width_m, machine.turning.front_overhang_m);
-  return std::max(1, static_cast<int>(std::ceil(depth_m / machine.width_m - kAlmostWhole)));
+  return std::max(1, passes_for(depth_m, machine.width_m));
 }
 
 /// A layout of tracks in one direction; where they lie is found with the headlands.
@@ -43,11 +40,6 @@ bool all_in(const Plan& plan, Direction direction) {
     return subfield.reference.empty() &&
            angle_between(subfield.direction, direction).degrees() < kSameDirection_deg;
   });
-}
-
-bool has_curves(const Plan& plan) {
-  return std::any_of(plan.subfields.begin(), plan.subfields.end(),
-                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
 }
 
 /// Whether the field is narrow enough to be worked by passes alone.
@@ -82,8 +74,9 @@ RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Pla
   problem_.settings.turns = TurnPlanning::kNone;
   obstacle_passes_ = layouts.front().headland.obstacle_passes;
   obstacle_passes_.resize(problem.field.obstacles.size(), 0);
-  if (problem.settings.obstacle_headland_rule == HeadlandRule::kTurns)
-    obstacle_passes_ = where_tracks_end(layouts.front()).obstacles;
+  if (problem.settings.obstacle_headland_rule != HeadlandRule::kTurns) return;
+  first_open_ = where_tracks_end(layouts.front());
+  obstacle_passes_ = first_open_->obstacles;
 }
 
 PassesByBoundary RouteLayouts::where_tracks_end(const Plan& layout) const {
@@ -183,10 +176,7 @@ std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<L
 std::vector<int> RouteLayouts::passes_round_all() const {
   std::vector<int> out = obstacle_passes_;
   const std::vector<Obstacle>& obstacles = problem_.field.obstacles;
-  const auto solid = std::count_if(obstacles.begin(), obstacles.end(), [](const Obstacle& obstacle) {
-    return obstacle.kind == ObstacleKind::kObstacle;
-  });
-  if (solid > kFewObstacles) return out;
+  if (obstacle_shapes(problem_.field, ObstacleKind::kObstacle).size() > kFewObstacles) return out;
   for (std::size_t i = 0; i < out.size(); ++i)
     if (obstacles[i].kind == ObstacleKind::kObstacle && out[i] == 0) out[i] = least_passes_;
   return out;
@@ -211,7 +201,7 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     std::vector<LaidOut> found = searched(passes);
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
     for (const Plan& layout : layouts_)
-      if (has_curves(layout)) jobs.push_back({Alternative::kSearched, layout, passes});
+      if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
   if (by_turns) {
@@ -219,7 +209,8 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     for (const Plan& layout : layouts_)
       if (std::none_of(open.begin(), open.end(),
                        [&](const Job& job) { return same_directions(job.layout, layout); }))
-        open.push_back({Alternative::kSearched, layout, {}});
+        open.push_back(
+            {Alternative::kSearched, layout, &layout == &layouts_.front() ? first_open_ : std::nullopt});
     std::move(open.begin(), open.end(), std::back_inserter(jobs));
   }
   if (!out.empty() && context_.has_to_end()) return out;

@@ -12,6 +12,9 @@
 
 namespace tramline {
 
+/// In fields with no more obstacles the headland of each of them is tried by itself.
+inline constexpr std::size_t kFewObstacles = 6;
+
 /// Tracks behind headlands, without a route.
 struct LaidOut {
   Alternative kind = Alternative::kSearched;
@@ -31,9 +34,8 @@ class RouteLayouts {
 
   /// Passes round the field as deep as half a circle of the machine and what reaches ahead of its axle.
   int least_passes() const { return least_passes_; }
-  /// By obstacle: as many as turns need, 0 where all tracks go round it.
-  const std::vector<int>& obstacle_passes() const { return obstacle_passes_; }
-  /// The same, with the least passes round the others where a field has few obstacles.
+  /// By obstacle: as many as turns need; where all tracks go round it 0, or the least passes in a field of
+  /// few obstacles.
   std::vector<int> passes_round_all() const;
 
   /// The curved layouts, the tracks of least cost, and those along the longest side and the length of the
@@ -81,7 +83,8 @@ class RouteLayouts {
   SearchContext context_;
   int least_passes_ = 0;
   std::vector<std::unique_ptr<const Behind>> kept_;
-  std::vector<int> obstacle_passes_;
+  std::optional<PassesByBoundary> first_open_{};  ///< where the tracks of the first layout end, if known
+  std::vector<int> obstacle_passes_;              ///< as many as turns need, 0 where all tracks go round
 };
 
 }  // namespace tramline
