@@ -225,12 +225,19 @@ ExplainedPlan planned_without_tracks(const PlanningProblem& problem, const Searc
   return {searched(as_asked, context, Explain::kNo).plan, std::nullopt};
 }
 
+/// The plan with the headlands that the turns between the tracks of this layout need.
+Plan with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
+                              const SearchContext& context) {
+  const PlanningProblem bare = without_headlands_for_turns(problem);
+  const auto behind_passes = [&](int passes) { return layout_behind_passes(bare, passes, context); };
+  return plan_with_headlands_for_turns(problem, layout, behind_passes, context);
+}
+
 ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, const SearchContext& context) {
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const Plan layout = searched(bare, context.for_layout(), Explain::kNo).plan;
   if (layout.subfields.empty()) return planned_without_tracks(problem, context);
-  const auto behind_passes = [&](int passes) { return layout_behind_passes(bare, passes, context); };
-  return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
+  return {with_headlands_for_turns(problem, layout, context), std::nullopt};
 }
 
 /// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do: of
@@ -252,8 +259,10 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
   const std::vector<Plan> layouts = layouts_to_begin_with(problem, context);
   if (layouts.front().subfields.empty()) return planned_without_tracks(problem, context);
   const auto room_for_turns = [&] {
-    return headlands_follow_turns(problem.settings) ? planned_with_headlands_for_turns(problem, context).plan
-                                                    : searched(problem, context, Explain::kNo).plan;
+    const SearchContext unproven = context.without_bound();
+    return headlands_follow_turns(problem.settings)
+               ? with_headlands_for_turns(problem, layouts.back(), unproven)
+               : searched(problem, unproven, Explain::kNo).plan;
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
   ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, context);
