@@ -90,28 +90,54 @@ SearchResult found_on(const SearchTask& task, Preparation& prepared, const Searc
   return std::move(*prepared.found);
 }
 
-/// The cheapest of a straight plan, one along one curve in each part of the ground, and one with curves in
-/// some subfields of the straight one. Which obstacles have headlands is settled for straight and curved
-/// tracks by themselves, unless the settings say so for both. Curves are searched first because they are
-/// found sooner, so that more expensive straight plans are soon discarded; except to explain a straight plan,
-/// which needs these too.
-ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
-  const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
-  const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);
-  std::optional<Preparation> for_curves = prepare_field(curved, context);
-  std::optional<Candidate> along_edge;
-  if (for_curves) along_edge = along_best_edge(SearchTask(curved, for_curves->field), context);
-  const double curved_cost =
-      along_edge ? cost_with_headland(SearchTask(curved, for_curves->field), *along_edge) : kAnyCost;
+/// Straight and curved tracks on the same or on different land.
+struct BothShapes {
+  PlanningProblem curved, straight;
+  std::optional<Preparation> for_curves, own{};
+  bool shared = true;
 
-  const bool shared = settings_decide_headlands(straight);
-  std::optional<Preparation> own = shared ? std::nullopt : prepare_field(straight, context);
-  std::optional<Preparation>& for_straight = shared ? for_curves : own;
-  if (!for_straight) throw no_room(problem);
-  const SearchTask task(straight, for_straight->field);
-  const double no_more_than = explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task);
-  SearchResult found = found_on(task, *for_straight, context, no_more_than);
-  const double straight_cost = found.best.works() ? cost_with_headland(task, found.best) : kAnyCost;
+  /// Which obstacles have headlands is settled for straight and curved tracks by themselves, unless the
+  /// settings say so for both.
+  BothShapes(const PlanningProblem& problem, const SearchContext& context)
+      : curved(with_shape(problem, TrackShape::kCurved)),
+        straight(with_shape(problem, TrackShape::kStraight)),
+        for_curves(prepare_field(curved, context)),
+        shared(settings_decide_headlands(straight)) {
+    if (!shared) own = prepare_field(straight, context);
+    if (!for_straight()) throw no_room(problem);
+  }
+
+  std::optional<Preparation>& for_straight() { return shared ? for_curves : own; }
+};
+
+/// The cheapest of a straight plan, one along one curve in each part of the ground, and one with curves in
+/// some subfields of the straight one. Where a bound is to be proven curves are searched first, because they
+/// are found sooner, so that more expensive straight plans are soon discarded; except to explain a straight
+/// plan, which needs these too. Without a bound it is the other way round: most curves are abandoned early
+/// where straight tracks are known to cost less.
+ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+  BothShapes shapes(problem, context);
+  const SearchTask task(shapes.straight, shapes.for_straight()->field);
+  std::optional<Candidate> along_edge;
+  double curved_cost = kAnyCost, straight_cost = kAnyCost;
+  const auto find_curve = [&](double no_more_than) {
+    if (!shapes.for_curves) return;
+    const SearchTask curved(shapes.curved, shapes.for_curves->field);
+    along_edge = along_best_edge(curved, context, no_more_than);
+    if (along_edge) curved_cost = cost_with_headland(curved, *along_edge);
+  };
+  SearchResult found;
+  const auto find_straight = [&](double no_more_than) {
+    found = found_on(task, *shapes.for_straight(), context, no_more_than);
+    if (found.best.works()) straight_cost = cost_with_headland(task, found.best);
+  };
+  if (context.wants_bound()) {
+    find_curve(kAnyCost);
+    find_straight(explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task));
+  } else {
+    find_straight(kAnyCost);
+    find_curve(shapes.shared && found.best.works() ? found.best.cost() : kAnyCost);
+  }
   std::optional<Candidate> mixed;
   if (!as_in_the_paper(problem.settings)) mixed = mixed_search(task, found, context);
   const bool is_mixed =
@@ -121,7 +147,7 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   if (is_mixed)
     out.plan = plan_of(task, std::move(*mixed), context);
   else if (along_edge && straight_cost > curved_cost)
-    out.plan = plan_of(SearchTask(curved, for_curves->field), std::move(*along_edge), context);
+    out.plan = plan_of(SearchTask(shapes.curved, shapes.for_curves->field), std::move(*along_edge), context);
   else
     out = straight_plan(task, std::move(found), context, explain);
   out.plan.settings.shape = TrackShape::kAuto;

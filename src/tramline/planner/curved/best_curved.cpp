@@ -116,9 +116,11 @@ std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve
   return tried;
 }
 
-/// The best curve for one part of the ground; nullopt where no track of any fits.
+/// The best curve for one part of the ground; nullopt where no track of any fits, or where, without obstacles
+/// to go round, all cost more than `no_more_than`.
 std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
-                                  const std::vector<Reference>& references, const SearchContext& context) {
+                                  const std::vector<Reference>& references, const SearchContext& context,
+                                  double no_more_than) {
   std::vector<TriedCurve> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
@@ -126,14 +128,14 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
     // boundary.
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
-  BestCosts best_few(kMoved);
+  BestCosts best_few(kMoved, no_more_than);
   try_all(task, part, best_few, all, context);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
     for (int k = 1; k < kPlaces; ++k)
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
-  BestCosts best(1);
+  BestCosts best(1, no_more_than);
   best.offer(all.front().candidate);
   try_all(task, part, best, moved, context);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
@@ -174,21 +176,24 @@ Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>
 }  // namespace
 
 std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
-                                             const SearchContext& context) {
-  std::optional<TriedCurve> best = best_on(task, ground, references_of(task, {ground}, context), context);
+                                             const SearchContext& context, double no_more_than) {
+  std::optional<TriedCurve> best =
+      best_on(task, ground, references_of(task, {ground}, context), context, no_more_than);
   if (!best) return std::nullopt;
   return std::move(best->candidate);
 }
 
-std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context) {
+std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context,
+                                     double no_more_than) {
   const std::vector<Reference> references = references_of(task, task.ground.plannable, context);
   const Region& parts = task.ground.plannable;
+  const double known = parts.size() == 1 ? no_more_than : kAnyCost;
   std::vector<LinedSubfield> lined_subfields;
   BestCurve out;
   Subfield largest;
   double largest_m2 = 0;
   for (const Polygon& part : parts) {
-    std::optional<TriedCurve> best = best_on(task, part, references, context);
+    std::optional<TriedCurve> best = best_on(task, part, references, context, known);
     lined_subfields.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
     if (best && area(part) > largest_m2) {
       out.line = best->reference->line;

@@ -6,6 +6,7 @@
 
 #include "tramline/planner/candidate/candidate.h"
 #include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 
@@ -19,11 +20,13 @@ struct BestCurve {
 /// cheapest families, and in those that would be cheapest if a stop cost no more than a turn. nullopt where
 /// no chain is curved, or none yields a track. Deterministic for any number of threads. O(parts · chains)
 /// families. With Zhou's construction the chosen line needs ends, so chains all the way round are left out,
-/// and detours are not searched for.
-std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context);
+/// and detours are not searched for. Land in one piece without obstacles yields nothing that costs more than
+/// `no_more_than`: families are abandoned as soon as they are certain to.
+std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context,
+                                     double no_more_than = kAnyCost);
 
 /// The same for one piece of the land as the only subfield, along chains of its own edges.
 std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
-                                             const SearchContext& context);
+                                             const SearchContext& context, double no_more_than = kAnyCost);
 
 }  // namespace tramline

@@ -16,26 +16,32 @@ struct PricedGround {
   double price = kNone;
 };
 
+/// What the price of a subfield is above the cost of a plan with its tracks alone.
+double price_beyond_cost(const SearchTask& task, const Polygon& shape) {
+  const Objective& prices = task.objective;
+  return prices.turn + prices.subfield - prices.uncovered * (task.body_m2 - area(shape));
+}
+
 /// The prices of subfields add up to the cost of a plan, except for land of one that swaths of another work
 /// and for one turn: each counts its own missed land, a turn to it, and the price of a further subfield.
 double price_of(const SearchTask& task, const Candidate& alone) {
-  const Objective& prices = task.objective;
-  const double missed_elsewhere_m2 = task.body_m2 - area(alone.subfields.front().shape);
-  return alone.cost() - prices.uncovered * missed_elsewhere_m2 + prices.turn + prices.subfield;
+  return alone.cost() + price_beyond_cost(task, alone.subfields.front().shape);
 }
 
-/// Infinite cost where no curve has a track.
-PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context) {
-  const std::optional<Candidate> best = best_along_own_edge(task, shape, context);
+/// Infinite cost where no curve has a track, or none that is known to cost as little as the price.
+PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context,
+                         double no_more_than = kNone) {
+  const std::optional<Candidate> best =
+      best_along_own_edge(task, shape, context, no_more_than - price_beyond_cost(task, shape));
   if (!best) return {{{shape, {}, {}}, 0}};
   return {lined_subfields_of(*best).front(), price_of(task, *best)};
 }
 
 PricedGround best_alone(const SearchTask& task, const LinedSubfield& straight, OtherSubfields others,
                         const SearchContext& context) {
-  PricedGround curved = along_curve(task, straight.subfield.shape, context);
-  if (others == OtherSubfields::kCurved) return curved;
+  if (others == OtherSubfields::kCurved) return along_curve(task, straight.subfield.shape, context);
   const double price = price_of(task, candidate_on(task, {straight}));
+  PricedGround curved = along_curve(task, straight.subfield.shape, context, price);
   return price <= curved.price ? PricedGround{straight, price} : curved;
 }
 
@@ -50,7 +56,7 @@ std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vecto
       const PricedGround &a = among[pair.first], &b = among[pair.second];
       const auto whole = merged_shape(a.ground.subfield.shape, b.ground.subfield.shape);
       if (!whole) continue;
-      PricedGround one = along_curve(task, *whole, context);
+      PricedGround one = along_curve(task, *whole, context, a.price + b.price);
       if (one.price < a.price + b.price)
         found.push_back(Pair{pair, std::move(one), a.price + b.price - one.price});
     }

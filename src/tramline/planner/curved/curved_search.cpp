@@ -34,9 +34,11 @@ bool costs_less(double divided, double whole) {
   return divided + kLeastSaving_share * std::abs(divided) < whole;
 }
 
-std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context) {
+std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context,
+                                         double no_more_than) {
   if (task.settings.tracks == TrackConstruction::kPaper) return zhou_plan_along_best(task, context);
-  if (std::optional<BestCurve> best = best_curved(task, context)) return std::move(best->candidate);
+  if (std::optional<BestCurve> best = best_curved(task, context, no_more_than))
+    return std::move(best->candidate);
   return std::nullopt;
 }
 

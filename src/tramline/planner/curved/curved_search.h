@@ -9,8 +9,10 @@
 namespace tramline {
 
 /// The cheapest tracks along one curve in each part of the land (best_curved), or with Zhou's construction
-/// along the best line. nullopt where no edge is a curve that tracks could follow.
-std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context);
+/// along the best line. nullopt where no edge is a curve that tracks could follow; and on land in one piece
+/// without obstacles, where all tracks of this class cost more than `no_more_than`, if they are not Zhou's.
+std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context,
+                                         double no_more_than = kAnyCost);
 
 /// The cheapest curved tracks: those of along_best_edge(), or tracks along a curve in each subfield of a
 /// division made for straight tracks (best_division_along_curves). Zhou's construction leaves the land

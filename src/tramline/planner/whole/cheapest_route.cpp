@@ -41,6 +41,10 @@ class Comparison {
   ComparedRoutes cheapest(const RoomForTurns& room_for_turns) {
     for (LaidOut& laid : layouts_.to_begin_with()) add(std::move(laid));
     plan_routes();
+    if (!best_ || (goes_on() && open_passes_may_pay())) {
+      for (LaidOut& laid : layouts_.behind_open_passes()) add(std::move(laid));
+      plan_routes();
+    }
     if (goes_on()) vary_depth();
     if (goes_on()) vary_obstacles();
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
@@ -78,7 +82,7 @@ class Comparison {
   /// told of only, so that explaining a plan does not change it.
   bool improves(std::size_t i) {
     Entry& entry = entries_[i];
-    if (best_ && context_.has_to_end()) return false;
+    if (entry.price || (best_ && context_.has_to_end())) return false;
     const bool may_win = !best_ || least_expected(entry) < least_price();
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
@@ -174,6 +178,10 @@ class Comparison {
     Entry entry{std::move(adjacent)};
     plan_route(entry);
   }
+
+  /// Passes all round take land from tracks, also beside them. Where they leave tracks most of the field that
+  /// costs less than the ends of open passes, in and out of which the machine has to be turned or backed.
+  bool open_passes_may_pay() const { return passes_work_most(best().prepared) || lacks_room(); }
 
   /// Whether the best plan has legs without room, or backs out of or into every fourth track.
   bool lacks_room() const {

@@ -42,9 +42,9 @@ bool all_in(const Plan& plan, Direction direction) {
   });
 }
 
-/// Whether the field is narrow enough to be worked by passes alone.
-bool works_more_than_body(const PreparedField& prepared) {
-  return prepared.headland.worked_m2 > area(prepared.ground.body);
+void append_found(std::vector<std::optional<LaidOut>> laid, std::vector<LaidOut>& out) {
+  for (std::optional<LaidOut>& one : laid)
+    if (one) out.push_back(std::move(*one));
 }
 
 std::vector<int> passes_asked(const PlanningProblem& problem) {
@@ -54,6 +54,10 @@ std::vector<int> passes_asked(const PlanningProblem& problem) {
 }
 
 }  // namespace
+
+bool passes_work_most(const PreparedField& prepared) {
+  return prepared.headland.worked_m2 > area(prepared.ground.body);
+}
 
 bool same_directions(const Plan& a, const Plan& b) {
   if (a.subfields.size() != b.subfields.size()) return false;
@@ -84,8 +88,11 @@ PassesByBoundary RouteLayouts::where_tracks_end(const Plan& layout) const {
   return foreseen_passes(problem_, layout, needed, deepest(needed) + kMorePasses, context_);
 }
 
-std::optional<LaidOut> RouteLayouts::behind_open_passes(Alternative kind, const Plan& layout) const {
-  if (!layout.pieces.empty()) return laid_out_on(prepared_behind(where_tracks_end(layout)), kind, layout);
+std::optional<LaidOut> RouteLayouts::where_it_ends(Alternative kind, const Plan& layout) const {
+  if (!layout.pieces.empty()) {
+    const bool known = &layout == &layouts_.front() && first_open_;
+    return laid_out_on(prepared_behind(known ? *first_open_ : where_tracks_end(layout)), kind, layout);
+  }
   PlanningProblem bare = problem_;
   bare.settings.headland_rule = bare.settings.obstacle_headland_rule = HeadlandRule::kPasses;
   bare.settings.headlands = bare.settings.obstacle_headlands = 0;
@@ -105,7 +112,7 @@ PassesByBoundary RouteLayouts::all_round(int passes, const std::vector<int>& obs
 RouteLayouts::Behind RouteLayouts::prepared_behind(const PassesByBoundary& passes) const {
   Behind out{passes, problem_with(problem_, passes), nullptr};
   std::optional<PreparedField> prepared = field_behind(out.problem, passes.obstacles);
-  if (prepared && (area(prepared->ground.plannable) > 0 || works_more_than_body(*prepared)))
+  if (prepared && (area(prepared->ground.plannable) > 0 || passes_work_most(*prepared)))
     out.prepared = std::make_shared<const PreparedField>(std::move(*prepared));
   return out;
 }
@@ -204,27 +211,30 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
       if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
-  if (by_turns) {
-    std::vector<Job> open = along_the_field({});
-    for (const Plan& layout : layouts_)
-      if (std::none_of(open.begin(), open.end(),
-                       [&](const Job& job) { return same_directions(job.layout, layout); }))
-        open.push_back(
-            {Alternative::kSearched, layout, &layout == &layouts_.front() ? first_open_ : std::nullopt});
-    std::move(open.begin(), open.end(), std::back_inserter(jobs));
-  }
   if (!out.empty() && context_.has_to_end()) return out;
   std::vector<const Behind*> known(jobs.size(), nullptr);
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    if (jobs[i].passes) known[i] = &behind(*jobs[i].passes);
+  for (std::size_t i = 0; i < jobs.size(); ++i) known[i] = &behind(jobs[i].passes);
   std::vector<std::optional<LaidOut>> laid(jobs.size());
-  for_each_index(laid.size(), context_, [&](std::size_t i) {
-    const Job& job = jobs[i];
-    laid[i] = known[i] != nullptr ? laid_out_on(*known[i], job.kind, job.layout)
-                                  : behind_open_passes(job.kind, job.layout);
-  });
-  for (std::optional<LaidOut>& one : laid)
-    if (one) out.push_back(std::move(*one));
+  for_each_index(laid.size(), context_,
+                 [&](std::size_t i) { laid[i] = laid_out_on(*known[i], jobs[i].kind, jobs[i].layout); });
+  append_found(std::move(laid), out);
+  return out;
+}
+
+std::vector<LaidOut> RouteLayouts::behind_open_passes() const {
+  std::vector<LaidOut> out;
+  if (problem_.settings.headland_rule != HeadlandRule::kTurns) return out;
+  const std::vector<Job> along = along_the_field({});
+  std::vector<std::pair<Alternative, const Plan*>> open;
+  for (const Job& job : along) open.emplace_back(job.kind, &job.layout);
+  for (const Plan& layout : layouts_)
+    if (std::none_of(along.begin(), along.end(),
+                     [&](const Job& job) { return same_directions(job.layout, layout); }))
+      open.emplace_back(Alternative::kSearched, &layout);
+  std::vector<std::optional<LaidOut>> laid(open.size());
+  for_each_index(laid.size(), context_,
+                 [&](std::size_t i) { laid[i] = where_it_ends(open[i].first, *open[i].second); });
+  append_found(std::move(laid), out);
   return out;
 }
 

@@ -24,6 +24,9 @@ struct LaidOut {
 /// Whether two plans have as many subfields with the same straight directions, in whatever order.
 bool same_directions(const Plan& a, const Plan& b);
 
+/// Whether the field is so narrow, or so small, that the passes work more of it than tracks.
+bool passes_work_most(const PreparedField& prepared);
+
 /// Lays tracks out for one problem. All functions are deterministic for any number of threads; one object
 /// serves one thread, because it keeps the land behind passes that it has prepared.
 class RouteLayouts {
@@ -40,9 +43,11 @@ class RouteLayouts {
 
   /// The curved layouts, the tracks of least cost, and those along the longest side and the length of the
   /// field, behind the passes asked for, or behind the least passes all round; the same without the headlands
-  /// of obstacles that follow from turns, and with passes_round_all(); and each of these but the searched
-  /// ones behind passes where their tracks end.
+  /// of obstacles that follow from turns, and with passes_round_all().
   std::vector<LaidOut> to_begin_with();
+  /// The layouts, and tracks along the longest side and the length of the field, behind passes where their
+  /// tracks end; none where the passes are given.
+  std::vector<LaidOut> behind_open_passes() const;
 
   PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
   /// The tracks of least cost behind these passes, and the undivided ones where these are several subfields;
@@ -64,7 +69,7 @@ class RouteLayouts {
   struct Job {
     Alternative kind;
     Plan layout;
-    std::optional<PassesByBoundary> passes;  ///< none: where its tracks end
+    PassesByBoundary passes{};
   };
 
   /// `problem_` with these passes, and the land behind them.
@@ -73,7 +78,7 @@ class RouteLayouts {
   std::optional<LaidOut> laid_out_on(const Behind& behind, Alternative kind, const Plan& like) const;
   /// The passes that turns need where the tracks of a layout on the bare field end.
   PassesByBoundary where_tracks_end(const Plan& layout) const;
-  std::optional<LaidOut> behind_open_passes(Alternative kind, const Plan& layout) const;
+  std::optional<LaidOut> where_it_ends(Alternative kind, const Plan& layout) const;
   /// One layout along the longest side of the field and one along its length, without tracks, as far as none
   /// of the known ones is the same.
   std::vector<Job> along_the_field(const std::vector<LaidOut>& known) const;
