@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/geometry/polygon/boolean.h"
+
 namespace tramline {
 namespace {
 
@@ -39,6 +41,18 @@ std::vector<std::size_t> significant_vertices(const Ring& ring, double tolerance
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (kept[i]) out.push_back(i);
+  return out;
+}
+
+Polygon simplified(const Polygon& polygon, double tolerance_m) {
+  const auto through_significant = [tolerance_m](const Ring& ring) {
+    Ring out;
+    for (const std::size_t i : significant_vertices(ring, tolerance_m)) out.push_back(ring[i]);
+    return out.size() < 3 ? ring : out;
+  };
+  Polygon out{through_significant(polygon.outer), {}};
+  for (const Ring& hole : polygon.holes) out.holes.push_back(through_significant(hole));
+  if (find_invalidity(out)) return polygon;
   return out;
 }
 

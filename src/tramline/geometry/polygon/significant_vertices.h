@@ -14,4 +14,7 @@ namespace tramline {
 /// O(n log n).
 std::vector<std::size_t> significant_vertices(const Ring& ring, double tolerance_m);
 
+/// The polygon through the significant vertices of its rings; the polygon itself where that one is not valid.
+Polygon simplified(const Polygon& polygon, double tolerance_m);
+
 }  // namespace tramline

@@ -10,15 +10,13 @@
 namespace tramline {
 namespace {
 
-/// By so much of its cost an offset may be dearer than the best where no bound is wanted.
-constexpr double kNearEnough = 0.01;
-
 /// The cheapest offset of all over land without obstacles; with obstacles, of those tracks are cut at.
-double cheapest_origin(const SearchTask& task, const Subfield& subfield, double known_m, double near_enough) {
-  const GridPricing pricing(task, subfield.shape);
+double cheapest_origin(const SearchTask& task, const Subfield& subfield, double known_m,
+                       const SearchContext& context) {
+  const GridPricing pricing(task, subfield.shape, context);
   const GridTally tally = pricing.tally(subfield.direction.angle().radians());
   const PricedOrigin known{known_m, separate_cost(task.objective, tally.at(known_m))};
-  return best_offset(tally, pricing.bound(), known, near_enough).origin_m;
+  return best_offset(tally, pricing.bound(), known, near_enough(context)).origin_m;
 }
 
 /// The origins to try: those of Versleijen §2.2.1 and, if the strategy looks for more, the cheapest of all
@@ -28,8 +26,7 @@ std::vector<double> origins_to_try(const SearchTask& task, const Subfield& subfi
   std::vector<double> out;
   for (const StripGrid& grid : strip_grids(subfield, task.machine.width_m)) out.push_back(grid.origin_m);
   if (task.settings.strategy == Strategy::kSweep) return out;
-  const double cheapest_m =
-      cheapest_origin(task, subfield, out.front(), context.wants_bound() ? 0 : kNearEnough);
+  const double cheapest_m = cheapest_origin(task, subfield, out.front(), context);
   out.insert(out.begin(), cheapest_m);
   const int steps = context.wants_bound() ? 8 : 2;
   if (!task.ground.hazards.empty())

@@ -45,7 +45,7 @@ class GridSearch {
  public:
   GridSearch(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
              const SearchContext& context)
-      : pricing_(task, part),
+      : pricing_(task, part, context),
         effort_(effort),
         context_(context),
         hindered_(!pricing_.tally(0).subfield().obstacles.empty()),
@@ -260,7 +260,8 @@ class GridSearch {
 
   void refine(PricedGrid& grid) const {
     const GridTally tally = pricing_.tally(grid.direction.angle().radians());
-    const PricedOrigin best = best_offset(tally, pricing_.bound(), {grid.origin_m, grid.cost});
+    const PricedOrigin best =
+        best_offset(tally, pricing_.bound(), {grid.origin_m, grid.cost}, near_enough(context_));
     grid.origin_m = best.origin_m;
     grid.cost = best.cost;
   }

@@ -4,13 +4,26 @@
 #include <cmath>
 
 #include "tramline/cost/bound/best_offset.h"
+#include "tramline/geometry/polygon/significant_vertices.h"
 #include "tramline/planner/candidate/turned_ground.h"
 
 namespace tramline {
 
-GridPricing::GridPricing(const SearchTask& task, const Polygon& part)
+namespace {
+
+/// Of the working width; the cost of a grid over the outline differs by less than a wedge at each end of a
+/// track.
+constexpr double kOutline_share = 0.005;
+
+Polygon outline_of(const Polygon& part, double width_m, const SearchContext& context) {
+  return context.wants_bound() ? part : simplified(part, kOutline_share * width_m);
+}
+
+}  // namespace
+
+GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context)
     : task_(task),
-      part_(part),
+      part_(outline_of(part, task.machine.width_m, context)),
       grid_{task.machine.width_m, min_length_m(task.machine),
             end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
       soft_(task.objective),

@@ -3,6 +3,7 @@
 
 #include "tramline/cost/bound/grid_bound.h"
 #include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -35,10 +36,12 @@ struct PositionBox {
   double half_offset_m = 0;
 };
 
-/// Prices grids over the part. Keeps references to the task and the part.
+/// Prices grids over the part. Keeps a reference to the task.
 class GridPricing {
  public:
-  GridPricing(const SearchTask& task, const Polygon& part);
+  /// Exactly where the search proves a bound. Else over an outline with fewer vertices, which deviates from
+  /// the part by a small share of the working width: most vertices of land behind headlands lie on arcs.
+  GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context);
 
   GridTally tally(double angle) const;
   static TrackFrame frame(double angle) {
@@ -64,10 +67,13 @@ class GridPricing {
 
  private:
   const SearchTask& task_;
-  const Polygon& part_;
+  Polygon part_;
   GridTerms grid_;
   Objective soft_;
   BoundTerms bound_;
 };
+
+/// By what share of its cost an offset may be dearer than the best one.
+inline double near_enough(const SearchContext& context) { return context.wants_bound() ? 0 : 0.01; }
 
 }  // namespace tramline
