@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/planner/headland_choice/foreseen_passes.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/whole/route_floor.h"
 #include "tramline/planner/whole/route_layouts.h"
@@ -20,6 +22,8 @@ namespace {
 constexpr double kComesNear = 0.1;
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
 constexpr double kExpected = 0.4;
+/// So many routes behind the same passes lack room before it is held to be the land's fault.
+constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
@@ -28,7 +32,20 @@ struct Entry {
   LaidOut laid;
   double floor = 0;
   std::optional<double> price{};
+  bool lacks_room_like_others = false;
 };
+
+/// Whether as many passes lie along all edges.
+bool all_round(const PassesByBoundary& passes) {
+  return std::adjacent_find(passes.edges.begin(), passes.edges.end(), std::not_equal_to<>()) ==
+         passes.edges.end();
+}
+
+/// The passes all round; -1 for others.
+int depth_of(const Entry& entry) {
+  const PassesByBoundary& passes = entry.laid.trial.passes;
+  return all_round(passes) ? deepest(passes) : -1;
+}
 
 class Comparison {
  public:
@@ -41,6 +58,7 @@ class Comparison {
   ComparedRoutes cheapest(const RoomForTurns& room_for_turns) {
     for (LaidOut& laid : layouts_.to_begin_with()) add(std::move(laid));
     plan_routes();
+    narrow_ = best_ && passes_work_most(best().prepared);
     if (!best_ || (goes_on() && open_passes_may_pay())) {
       for (LaidOut& laid : layouts_.behind_open_passes()) add(std::move(laid));
       plan_routes();
@@ -83,7 +101,7 @@ class Comparison {
   bool improves(std::size_t i) {
     Entry& entry = entries_[i];
     if (entry.price || (best_ && context_.has_to_end())) return false;
-    const bool may_win = !best_ || least_expected(entry) < least_price();
+    const bool may_win = !best_ || (!entry.lacks_room_like_others && least_expected(entry) < least_price());
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
     plan_route(entry);
@@ -92,6 +110,17 @@ class Comparison {
     if (*entry.price >= before) return false;
     best_ = i;
     return true;
+  }
+
+  /// Whether several routes behind as many passes have legs without room: then the shape of the land lacks
+  /// it.
+  bool others_lack_room(const Entry& entry) const {
+    const int depth = depth_of(entry);
+    const auto lacking = std::count_if(entries_.begin(), entries_.end(), [&](const Entry& other) {
+      return other.price && depth_of(other) == depth &&
+             sums_of(other.laid.trial.draft.plan.route).without_room > 0;
+    });
+    return lacking >= kEnoughWithoutRoom;
   }
 
   bool improves(std::optional<LaidOut> laid) {
@@ -105,15 +134,20 @@ class Comparison {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [this](std::size_t a, std::size_t b) { return entries_[a].floor < entries_[b].floor; });
-    for (const std::size_t i : order) improves(i);
+    for (const std::size_t i : order) {
+      entries_[i].lacks_room_like_others = others_lack_room(entries_[i]);
+      improves(i);
+    }
   }
 
   const HeadlandTrial& best() const { return entries_[*best_].laid.trial; }
 
-  /// One pass more or less all round the field, as long as that costs less. The tracks of least cost behind
-  /// them are searched for where the best ones so far, laid anew, come near.
+  /// One pass more or less all round the field, as long as that costs less; none where open passes have
+  /// turned out better on narrow land. The tracks of least cost behind them are searched for where the best
+  /// ones so far, laid anew, come near.
   void vary_depth() {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
+    if (narrow_ && !all_round(best().passes)) return;
     for (const int step : {1, -1})
       for (int passes = layouts_.least_passes() + step; passes > 0; passes += step)
         if (context_.has_to_end() || !improves_with(layouts_.all_round(passes, best().passes.obstacles)))
@@ -121,6 +155,7 @@ class Comparison {
   }
 
   bool improves_with(const PassesByBoundary& passes) {
+    if (!layouts_.leave_other_land(passes)) return false;
     std::optional<LaidOut> like = layouts_.laid_out(Alternative::kSearched, best().draft.plan, passes);
     bool cheaper = false;
     if (like) {
@@ -181,7 +216,7 @@ class Comparison {
 
   /// Passes all round take land from tracks, also beside them. Where they leave tracks most of the field that
   /// costs less than the ends of open passes, in and out of which the machine has to be turned or backed.
-  bool open_passes_may_pay() const { return passes_work_most(best().prepared) || lacks_room(); }
+  bool open_passes_may_pay() const { return narrow_ || lacks_room(); }
 
   /// Whether the best plan has legs without room, or backs out of or into every fourth track.
   bool lacks_room() const {
@@ -239,6 +274,7 @@ class Comparison {
   RouteLayouts layouts_;
   std::vector<Entry> entries_;
   std::optional<std::size_t> best_{};
+  bool narrow_ = false;  ///< passes all round work most of the field
   double least_beyond_floor_ = std::numeric_limits<double>::max();
   std::vector<RouteAlternative> all_;
 };

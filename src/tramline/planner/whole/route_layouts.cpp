@@ -55,6 +55,14 @@ std::vector<int> passes_asked(const PlanningProblem& problem) {
 
 }  // namespace
 
+namespace {
+
+bool same_land(const PreparedField& a, const PreparedField& b) {
+  return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable;
+}
+
+}  // namespace
+
 bool passes_work_most(const PreparedField& prepared) {
   return prepared.headland.worked_m2 > area(prepared.ground.body);
 }
@@ -122,6 +130,14 @@ const RouteLayouts::Behind& RouteLayouts::behind(const PassesByBoundary& passes)
     if (kept->passes == passes) return *kept;
   kept_.push_back(std::make_unique<const Behind>(prepared_behind(passes)));
   return *kept_.back();
+}
+
+bool RouteLayouts::leave_other_land(const PassesByBoundary& passes) {
+  const Behind& asked = behind(passes);
+  return std::none_of(kept_.begin(), kept_.end(), [&](const std::unique_ptr<const Behind>& kept) {
+    return kept->passes != passes && asked.prepared && kept->prepared &&
+           same_land(*asked.prepared, *kept->prepared);
+  });
 }
 
 std::optional<LaidOut> RouteLayouts::laid_out_on(const Behind& behind, Alternative kind,
@@ -205,6 +221,7 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     if (!out.empty() && context_.has_to_end()) return out;
     const PassesByBoundary passes =
         by_turns ? all_round(least_passes_, obstacles) : PassesByBoundary{passes_asked(problem_), obstacles};
+    if (!leave_other_land(passes)) continue;
     std::vector<LaidOut> found = searched(passes);
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
     for (const Plan& layout : layouts_)

@@ -49,6 +49,10 @@ class RouteLayouts {
   /// tracks end; none where the passes are given.
   std::vector<LaidOut> behind_open_passes() const;
 
+  /// Whether these passes leave other land than all those asked for before: where there is no room for more,
+  /// more are the same.
+  bool leave_other_land(const PassesByBoundary& passes);
+
   PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
   /// The tracks of least cost behind these passes, and the undivided ones where these are several subfields;
   /// the passes alone where they leave no room for tracks.
