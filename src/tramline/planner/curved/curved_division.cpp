@@ -28,6 +28,8 @@ double price_of(const SearchTask& task, const Candidate& alone) {
   return alone.cost() + price_beyond_cost(task, alone.subfields.front().shape);
 }
 
+bool follows_curve(const PricedGround& one) { return !one.ground.subfield.reference.empty(); }
+
 /// Infinite cost where no curve has a track, or none that is known to cost as little as the price.
 PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context,
                          double no_more_than = kNone) {
@@ -54,6 +56,8 @@ std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vecto
     for (const IndexPair& pair : index_pairs) {
       if (context.has_to_end()) break;
       const PricedGround &a = among[pair.first], &b = among[pair.second];
+      // A search that proves nothing passes over neighbours that are both cheaper straight.
+      if (!context.wants_bound() && !follows_curve(a) && !follows_curve(b)) continue;
       const auto whole = merged_shape(a.ground.subfield.shape, b.ground.subfield.shape);
       if (!whole) continue;
       PricedGround one = along_curve(task, *whole, context, a.price + b.price);
@@ -71,7 +75,7 @@ std::vector<LinedSubfield> lined(const std::vector<PricedGround>& grounds) {
   const Subfield* largest = nullptr;
   for (const PricedGround& one : grounds) {
     const Subfield& subfield = one.ground.subfield;
-    if (!subfield.reference.empty() && (largest == nullptr || area(subfield.shape) > area(largest->shape)))
+    if (follows_curve(one) && (largest == nullptr || area(subfield.shape) > area(largest->shape)))
       largest = &subfield;
   }
   std::vector<LinedSubfield> out;

@@ -86,7 +86,8 @@ RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Pla
   problem_.settings.turns = TurnPlanning::kNone;
   obstacle_passes_ = layouts.front().headland.obstacle_passes;
   obstacle_passes_.resize(problem.field.obstacles.size(), 0);
-  if (problem.settings.obstacle_headland_rule != HeadlandRule::kTurns) return;
+  if (problem.settings.obstacle_headland_rule != HeadlandRule::kTurns || problem.field.obstacles.empty())
+    return;
   first_open_ = where_tracks_end(layouts.front());
   obstacle_passes_ = first_open_->obstacles;
 }
