@@ -20,6 +20,8 @@ namespace {
 
 /// Tracks laid anew come near where their floor is above the least price by no more than this share.
 constexpr double kComesNear = 0.1;
+/// So many layouts are laid anew behind other passes.
+constexpr std::size_t kLaidAnew = 3;
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
 constexpr double kExpected = 0.4;
 /// So many routes behind the same passes lack room before it is held to be the land's fault.
@@ -154,16 +156,38 @@ class Comparison {
           break;
   }
 
+  /// The best entry, and others in other directions that come near it, the best one last.
+  std::vector<std::size_t> near_the_best() const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].price && *entries_[i].price <= (1 + kComesNear) * least_price()) out.push_back(i);
+    std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
+      return *entries_[a].price < *entries_[b].price;
+    });
+    std::vector<std::size_t> distinct;
+    for (const std::size_t i : out)
+      if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t other) {
+            return same_directions(entries_[i].laid.trial.draft.plan, entries_[other].laid.trial.draft.plan);
+          }))
+        distinct.push_back(i);
+    if (distinct.size() > kLaidAnew) distinct.resize(kLaidAnew);
+    std::reverse(distinct.begin(), distinct.end());
+    return distinct;
+  }
+
   bool improves_with(const PassesByBoundary& passes) {
     if (!layouts_.leave_other_land(passes)) return false;
-    std::optional<LaidOut> like = layouts_.laid_out(Alternative::kSearched, best().draft.plan, passes);
-    bool cheaper = false;
-    if (like) {
-      add(std::move(*like));
-      const std::size_t first = entries_.size() - 1;
-      if (least_expected(entries_[first]) > (1 + kComesNear) * least_price()) return false;
-      cheaper = improves(first);
+    bool cheaper = false, comes_near = true;
+    for (const std::size_t like : near_the_best()) {
+      std::optional<LaidOut> laid =
+          layouts_.laid_out(Alternative::kSearched, entries_[like].laid.trial.draft.plan, passes);
+      if (!laid) continue;
+      add(std::move(*laid));
+      const std::size_t last = entries_.size() - 1;
+      comes_near = least_expected(entries_[last]) <= (1 + kComesNear) * least_price();
+      cheaper = improves(last) || cheaper;
     }
+    if (!cheaper && !comes_near) return false;
     for (LaidOut& laid : layouts_.searched(passes))
       if (!is_known(laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
     return cheaper;
