@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random_shapes.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {
@@ -64,6 +65,22 @@ TEST(SignificantVertices, KeepTheRingWithinTheTolerance) {
   }
   EXPECT_GT(dropped, 1000U);
   EXPECT_GT(kept_ones, 1000U);
+}
+
+// A rectangle with a bump on one side and a hole with a dent: half of either is within the tolerance.
+TEST(Simplified, LeavesOutWhatIsWithinTheToleranceInAllRings) {
+  const Polygon polygon{{{0, 0}, {5, -0.1}, {10, 0}, {10, 8}, {5, 9}, {0, 8}},
+                        {{{2, 2}, {2, 4}, {3, 4.05}, {4, 4}, {4, 2}}}};
+  const Polygon expected{{{0, 0}, {10, 0}, {10, 8}, {5, 9}, {0, 8}}, {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}}};
+  EXPECT_EQ(simplified(polygon, 0.2), expected);
+}
+
+// Without its bump the side would run through the hole.
+TEST(Simplified, IsThePolygonItselfWhereFewerVerticesWouldCross) {
+  const Polygon polygon{{{0, 0}, {5, -0.3}, {10, 0}, {10, 8}, {0, 8}},
+                        {{{4.5, -0.1}, {4.5, 4}, {5.5, 4}, {5.5, -0.1}}}};
+  ASSERT_FALSE(find_invalidity(polygon));
+  EXPECT_EQ(simplified(polygon, 0.5), polygon);
 }
 
 }  // namespace
