@@ -1,24 +1,19 @@
-// tramline export: the layers of a plan for other programs.
+// tramline export: plans for other programs, and for the machine.
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <string>
-#include <vector>
 
 #include "commands/command.h"
+#include "exports/export_options.h"
+#include "exports/export_runs.h"
 #include "options/common_options.h"
-#include "output/output_target.h"
-#include "output/result_output.h"
-#include "report/report_parts.h"
-#include "tramline/io/export/export_plan.h"
 
 namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Export a plan to GeoJSON, FlatGeobuf, KML or zipped Shapefiles, for guidance terminals and other "
-    "programs that do not read GeoPackages.";
+    "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, and to ISOXML for "
+    "guidance "
+    "terminals.";
 
 constexpr const char* kExample =
     "Examples:\n"
@@ -26,48 +21,43 @@ constexpr const char* kExample =
     "  tramline export plan.gpkg -o plan.zip --crs EPSG:25832\n"
     "  tramline export plans.gpkg -o tracks.kml --id mill-field --tolerance 0.1\n"
     "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
+    "  tramline export north.gpkg south.gpkg -o /media/card --isoxml 4\n"
     "GeoJSON and KML are always in WGS 84.";
 
 class ExportCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
     CommandOptions command(program, "export", kAbout);
-    command.add_option("PLAN", plan_file_, "The plan: a GeoPackage written by 'tramline plan'.").required();
+    command
+        .add_option("PLAN", options_.plans,
+                    "The plan: a GeoPackage written by 'tramline plan'. Task sets take several.")
+        .required();
     command.begin_group("Output");
     command
-        .add_option("-o,--output", output_,
-                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles).")
+        .add_option("-o,--output", options_.output,
+                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); with "
+                    "--isoxml a .zip "
+                    "or a folder.")
         .takes("FILE")
         .required();
     command
         .add_option(
-            "--crs", crs_,
-            "Coordinates of the output: 'source' (those of the field's file), 'wgs84', or a coordinate "
-            "reference system such as EPSG:25832.")
-        .takes("CRS")
-        .shows_default("wgs84 for GeoJSON and KML, else source");
-    command
-        .add_option("--layer", layers_,
-                    "Export this layer of the plan. May be given several times for .zip and .kml.")
-        .takes("NAME")
-        .one_value_each_time()
-        .shows_default("every layer with shapes for .zip, else tracks and headland passes");
-    command
-        .add_option(
-            "--tolerance", tolerance_m_,
+            "--tolerance", options_.tolerance_m,
             "Largest distance between exported lines and outlines and those of the plan, in metres; 0 "
             "keeps all points.")
         .takes("M")
         .shows_default();
     command
         .add_option(
-            "--id", id_,
+            "--id", options_.id,
             "Of a file of many plans ('tramline plan --one-file'): export only that of the field of this "
             "id or key.")
         .takes("ID")
         .shows_default("all plans");
-    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
-    command.add_flag("--quiet", quiet_, "Print no table.");
+    command.add_flag("--json", options_.json, "Print one JSON object instead of the table.");
+    command.add_flag("--quiet", options_.quiet, "Print no table.");
+    add_layer_options(command);
+    add_terminal_options(command);
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
     command.footer(kExample);
@@ -75,51 +65,71 @@ class ExportCommand : public Command {
   }
 
   int run() override {
-    require_writable(output_, "--output", {".geojson", ".fgb", ".kml", ".zip"}, {plan_file_});
-    const io::ExportReport report = io::export_plan({plan_file_, output_, crs_, layers_, tolerance_m_, id_});
-    if (json_)
-      print_json(json_of(report));
-    else if (!quiet_)
-      print_result(table_of(report));
+    if (!options_.isoxml.empty())
+      run_task_set_export(options_);
+    else
+      run_layer_export(options_);
     return 0;
   }
 
  private:
-  std::string table_of(const io::ExportReport& report) const {
-    std::string out =
-        fmt::format("{}: {}, {}, {}\n", output_, field_of(report), name(report.format), report.crs);
-    for (const io::ExportedLayer& layer : report.layers)
-      fmt::format_to(std::back_inserter(out), "  {:<18}{:>8}\n", layer.name, layer.features);
-    for (const Skipped& text : report.shortened)
-      fmt::format_to(std::back_inserter(out), "shortened: {} ({}): {}\n", text.what, text.where, text.why);
-    return out;
+  void add_layer_options(CommandOptions& command) {
+    command.begin_group("Layers for other programs");
+    command
+        .add_option(
+            "--crs", options_.crs,
+            "Coordinates of the output: 'source' (those of the field's file), 'wgs84', or a coordinate "
+            "reference system such as EPSG:25832.")
+        .takes("CRS")
+        .shows_default("wgs84 for GeoJSON and KML, else source");
+    command
+        .add_option("--layer", options_.layers,
+                    "Export this layer of the plan. May be given several times for .zip and .kml.")
+        .takes("NAME")
+        .one_value_each_time()
+        .shows_default("every layer with shapes for .zip, else tracks and headland passes");
   }
 
-  static std::string field_of(const io::ExportReport& report) {
-    return report.fields == 1 ? "field " + report.field_id : fmt::format("{} fields", report.fields);
+  void add_terminal_options(CommandOptions& command) {
+    command.begin_group("Guidance terminals");
+    const Option isoxml =
+        command
+            .add_option("--isoxml", options_.isoxml,
+                        "Write an ISOXML task set of this version, 4 or 3, with all plans in it. A "
+                        "folder gets TASKDATA/TASKDATA.XML.")
+            .takes("VERSION")
+            .one_of({"4", "3"})
+            .excludes(command.option("--crs"))
+            .excludes(command.option("--layer"));
+    command
+        .add_option(
+            "--lines", options_.lines,
+            "Guidance lines: 'subfield', an AB line or curve for each subfield, to which the terminal makes "
+            "parallels; 'all', every track and headland pass.")
+        .takes("CHOICE")
+        .one_of({"subfield", "all"})
+        .shows_default();
+    command
+        .add_option(
+            "--isoxml-obstacles", options_.obstacles,
+            "Obstacles as 'holes' in the boundary, or as 'polygons' of their own: terminals take one or the "
+            "other.")
+        .takes("STYLE")
+        .one_of({"holes", "polygons"})
+        .needs(isoxml)
+        .shows_default();
+    command.add_option("--customer", options_.customer, "Customer of the task set.")
+        .takes("NAME")
+        .needs(isoxml)
+        .shows_default();
+    command.add_option("--farm", options_.farm, "Farm of the task set.")
+        .takes("NAME")
+        .needs(isoxml)
+        .shows_default();
   }
 
-  nlohmann::ordered_json json_of(const io::ExportReport& report) const {
-    nlohmann::ordered_json layers = nlohmann::ordered_json::array();
-    for (const io::ExportedLayer& layer : report.layers)
-      layers.push_back({{"name", layer.name}, {"features", layer.features}});
-    return {
-        {"plan", plan_file_},
-        {"field_id", report.fields == 1 ? nlohmann::ordered_json(report.field_id) : nlohmann::ordered_json()},
-        {"fields", report.fields},
-        {"tolerance_m", tolerance_m_},
-        {"file", output_},
-        {"format", name(report.format)},
-        {"crs", report.crs},
-        {"layers", layers},
-        {"shortened", skipped_json(report.shortened)}};
-  }
-
-  std::string plan_file_, output_, crs_, id_;
-  double tolerance_m_ = io::ExportRequest{}.tolerance_m;
-  std::vector<std::string> layers_;
+  ExportOptions options_;
   int threads_ = 0;
-  bool json_ = false, quiet_ = false;
 };
 
 }  // namespace

@@ -20,4 +20,13 @@ bool always_wgs84(ExportFormat format);
 /// Whether a file holds one layer only.
 bool single_layer(ExportFormat format);
 
+/// Versions of ISO 11783-10: 3 is that of 2009, 4 that of 2015.
+enum class TaskDataVersion { k3 = 3, k4 = 4 };
+/// How obstacles are told to a terminal. kHoles: as interior rings of the boundary. kPolygons: as polygons of
+/// their own.
+enum class ObstacleStyle { kHoles, kPolygons };
+/// Which lines a terminal gets. kSubfields: one for each subfield, to which it makes parallels itself. kAll:
+/// every track and headland pass of the plan, to be driven as they are.
+enum class LineChoice { kSubfields, kAll };
+
 }  // namespace tramline::io

@@ -51,4 +51,41 @@ struct ExportReport {
 /// written. O(n) in vertices.
 ExportReport export_plan(const ExportRequest& request);
 
+/// Plans for terminals that read ISOXML.
+struct TaskSetRequest {
+  std::vector<std::filesystem::path> plans;  ///< plan files, of one plan or of many
+  std::filesystem::path target;              ///< a .zip, or a folder; see below
+  TaskDataVersion version = TaskDataVersion::k4;
+  LineChoice lines = LineChoice::kSubfields;
+  ObstacleStyle obstacles = ObstacleStyle::kHoles;
+  double tolerance_m = 0.02;  ///< of curves and of the headland's outline
+  std::string field{};        ///< key or id of the only field wanted; empty: all of all files
+  std::string customer = "Customer", farm = "Farm";
+};
+
+/// A name that a terminal shows otherwise than it was given.
+struct ChangedName {
+  std::string name;
+  std::string shown;
+};
+
+struct TaskSetReport {
+  std::filesystem::path file;  ///< the zip, or TASKDATA.XML
+  std::size_t fields = 0, lines = 0, curves = 0, obstacles = 0,
+              headlands = 0;  ///< curves are among the lines
+  std::size_t bytes = 0;      ///< of TASKDATA.XML
+  std::vector<ChangedName> changed;
+};
+
+/// Writes one ISOXML task set (ISO 11783-10) of all the plans: for each field a partfield with boundary,
+/// obstacles, headland and guidance lines, and a planned task. A zip holds TASKDATA/TASKDATA.XML. A target
+/// that is called TASKDATA becomes that folder; any other folder gets a folder TASKDATA, whether it is there
+/// already or not. The same plans give the same bytes. Written whole or not at all. Coordinates are WGS 84
+/// with nine decimals.
+///
+/// Throws Error(kBadInput) where the tolerance is not from 0 to 10 m, a file is missing or not a plan,
+/// `field` names none or several, a field is in plain metres, or a folder TASKDATA is there and not empty;
+/// Error(kFailure) where nothing can be written. O(n) in vertices.
+TaskSetReport export_task_set(const TaskSetRequest& request);
+
 }  // namespace tramline::io

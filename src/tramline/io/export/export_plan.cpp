@@ -13,6 +13,7 @@
 #include "tramline/io/export/column_names.h"
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
+#include "tramline/io/export/thinned_line.h"
 #include "tramline/io/export/zip_folder.h"
 #include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
@@ -155,12 +156,6 @@ void write_layers(GDALDataset& from, const Chosen& plan, const std::vector<std::
   }
   for (const std::string& layer : layers)
     report.layers.push_back({layer, copy_layer(stored(from, layer), *file, way, report.shortened)});
-}
-
-void require_tolerance(double tolerance_m) {
-  constexpr double kMost_m = 10;
-  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
-    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
 }
 
 /// Layers hand out the rows of that field only, from now on.

@@ -1,0 +1,14 @@
+#pragma once
+// The kinds of files that 'tramline export' writes; each run writes them and prints its report.
+
+#include "exports/export_options.h"
+
+namespace tramline::app {
+
+/// Layers of a plan file. Throws kBadInput where several plan files are named, or as io::export_plan().
+void run_layer_export(const ExportOptions& options);
+
+/// An ISOXML task set of all plans. Throws as io::export_task_set().
+void run_task_set_export(const ExportOptions& options);
+
+}  // namespace tramline::app
