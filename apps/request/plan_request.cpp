@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/isoxml/read_fields.h"
 #include "tramline/io/machine/read_machine.h"
 #include "tramline/io/vector/read_vector.h"
 #include "tramline/model/limits.h"
@@ -267,7 +268,7 @@ std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_d
   query.file = o.guide_file;
   query.where = o.guide_where;
   query.all_layers = true;
-  return read_guide(io::read_vector(query), crs_definition);
+  return read_guide(io::read_guides(query), crs_definition);
 }
 
 Gates gates_of(const PlanOptions& o, const std::string& crs_definition) {

@@ -6,14 +6,14 @@
 #include "exports/export_options.h"
 #include "exports/export_runs.h"
 #include "options/common_options.h"
+#include "tramline/geometry/error.h"
 
 namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, and to ISOXML for "
-    "guidance "
-    "terminals.";
+    "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, and to ISOXML and "
+    "AgOpenGPS for guidance terminals.";
 
 constexpr const char* kExample =
     "Examples:\n"
@@ -22,6 +22,7 @@ constexpr const char* kExample =
     "  tramline export plans.gpkg -o tracks.kml --id mill-field --tolerance 0.1\n"
     "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
     "  tramline export north.gpkg south.gpkg -o /media/card --isoxml 4\n"
+    "  tramline export plan.gpkg -o Fields/Mill --agopengps --lines all\n"
     "GeoJSON and KML are always in WGS 84.";
 
 class ExportCommand : public Command {
@@ -36,8 +37,7 @@ class ExportCommand : public Command {
     command
         .add_option("-o,--output", options_.output,
                     "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); with "
-                    "--isoxml a .zip "
-                    "or a folder.")
+                    "--isoxml or --agopengps a .zip or a folder.")
         .takes("FILE")
         .required();
     command
@@ -65,14 +65,23 @@ class ExportCommand : public Command {
   }
 
   int run() override {
+    require_terminal_format();
     if (!options_.isoxml.empty())
       run_task_set_export(options_);
+    else if (options_.agopengps)
+      run_agopengps_export(options_);
     else
       run_layer_export(options_);
     return 0;
   }
 
  private:
+  /// What only terminals are told is not ignored in silence elsewhere.
+  void require_terminal_format() const {
+    if (options_.lines != ExportOptions{}.lines && options_.isoxml.empty() && !options_.agopengps)
+      throw bad_input("--lines is for terminals; give --isoxml or --agopengps too, or leave it out");
+  }
+
   void add_layer_options(CommandOptions& command) {
     command.begin_group("Layers for other programs");
     command
@@ -101,6 +110,12 @@ class ExportCommand : public Command {
             .one_of({"4", "3"})
             .excludes(command.option("--crs"))
             .excludes(command.option("--layer"));
+    command
+        .add_flag("--agopengps", options_.agopengps,
+                  "Write the field folder of AgOpenGPS, of several plans a folder with one for each.")
+        .excludes(isoxml)
+        .excludes(command.option("--crs"))
+        .excludes(command.option("--layer"));
     command
         .add_option(
             "--lines", options_.lines,

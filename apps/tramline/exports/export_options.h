@@ -18,12 +18,15 @@ struct ExportOptions {
   std::string id;
   // Guidance terminals.
   std::string isoxml;  ///< "4", "3"; empty: no task set
+  bool agopengps = false;
   std::string lines = "subfield";
   std::string obstacles = "holes";
   std::string customer = io::TaskSetRequest{}.customer, farm = io::TaskSetRequest{}.farm;
 
   bool json = false, quiet = false;
 };
+
+io::LineChoice line_choice(const ExportOptions& options);
 
 /// The same plan files as paths.
 std::vector<std::filesystem::path> plan_paths(const ExportOptions& options);

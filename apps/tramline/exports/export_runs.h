@@ -11,4 +11,7 @@ void run_layer_export(const ExportOptions& options);
 /// An ISOXML task set of all plans. Throws as io::export_task_set().
 void run_task_set_export(const ExportOptions& options);
 
+/// Field folders of AgOpenGPS. Throws as io::export_agopengps().
+void run_agopengps_export(const ExportOptions& options);
+
 }  // namespace tramline::app

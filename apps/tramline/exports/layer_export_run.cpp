@@ -46,10 +46,6 @@ ordered_json json_of(const io::ExportReport& report, const ExportOptions& option
 
 }  // namespace
 
-std::vector<std::filesystem::path> plan_paths(const ExportOptions& options) {
-  return {options.plans.begin(), options.plans.end()};
-}
-
 void run_layer_export(const ExportOptions& options) {
   require_writable(options.output, "--output", {".geojson", ".fgb", ".kml", ".zip"}, options.plans);
   if (options.plans.size() > 1)

@@ -1,12 +1,9 @@
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
 
+#include "exports/export_parts.h"
 #include "exports/export_runs.h"
-#include "output/output_target.h"
-#include "output/result_output.h"
-#include "report/report_parts.h"
 #include "tramline/io/export/export_plan.h"
 
 namespace tramline::app {
@@ -20,22 +17,12 @@ std::string table_of(const io::TaskSetReport& report, const ExportOptions& optio
   std::string out = fmt::format("{}: ISOXML version {}, {} field{}, {:.1f} kB\n", report.file.string(),
                                 options.isoxml, report.fields, report.fields == 1 ? "" : "s",
                                 static_cast<double>(report.bytes) / kKilobyte);
-  const auto row = [&](const char* what, std::size_t count) {
-    fmt::format_to(std::back_inserter(out), "  {:<18}{:>8}\n", what, count);
-  };
-  row("AB lines", report.lines - report.curves);
-  row("curves", report.curves);
-  row("obstacles", report.obstacles);
-  row("headlands", report.headlands);
-  for (const io::ChangedName& name : report.changed)
-    fmt::format_to(std::back_inserter(out), "renamed: '{}' is shown as '{}'\n", name.name, name.shown);
-  return out;
+  out += count_row("AB lines", report.lines - report.curves) + count_row("curves", report.curves) +
+         count_row("obstacles", report.obstacles) + count_row("headlands", report.headlands);
+  return out + renamed_rows(report.changed);
 }
 
 ordered_json json_of(const io::TaskSetReport& report, const ExportOptions& options) {
-  ordered_json renamed = ordered_json::array();
-  for (const io::ChangedName& name : report.changed)
-    renamed.push_back({{"name", name.name}, {"shown", name.shown}});
   return {{"plans", options.plans},
           {"fields", report.fields},
           {"tolerance_m", options.tolerance_m},
@@ -46,23 +33,18 @@ ordered_json json_of(const io::TaskSetReport& report, const ExportOptions& optio
           {"obstacles", report.obstacles},
           {"headlands", report.headlands},
           {"bytes", report.bytes},
-          {"renamed", renamed}};
+          {"renamed", renamed_json(report.changed)}};
 }
-
-bool is_zip(const std::string& name) { return std::filesystem::path(name).extension() == ".zip"; }
 
 }  // namespace
 
 void run_task_set_export(const ExportOptions& options) {
-  if (is_zip(options.output))
-    require_writable(options.output, "--output", {".zip"}, options.plans);
-  else
-    require_folder(options.output, "--output");
+  require_zip_or_folder(options);
   io::TaskSetRequest request;
   request.plans = plan_paths(options);
   request.target = options.output;
   request.version = options.isoxml == "3" ? io::TaskDataVersion::k3 : io::TaskDataVersion::k4;
-  request.lines = options.lines == "all" ? io::LineChoice::kAll : io::LineChoice::kSubfields;
+  request.lines = line_choice(options);
   request.obstacles =
       options.obstacles == "polygons" ? io::ObstacleStyle::kPolygons : io::ObstacleStyle::kHoles;
   request.tolerance_m = options.tolerance_m;
@@ -70,10 +52,7 @@ void run_task_set_export(const ExportOptions& options) {
   request.customer = options.customer;
   request.farm = options.farm;
   const io::TaskSetReport report = io::export_task_set(request);
-  if (options.json)
-    print_json(json_of(report, options));
-  else if (!options.quiet)
-    print_result(table_of(report, options));
+  print_report(options, table_of(report, options), json_of(report, options));
 }
 
 }  // namespace tramline::app

@@ -88,4 +88,28 @@ struct TaskSetReport {
 /// Error(kFailure) where nothing can be written. O(n) in vertices.
 TaskSetReport export_task_set(const TaskSetRequest& request);
 
+/// Plans for AgOpenGPS.
+struct AgOpenGpsRequest {
+  std::vector<std::filesystem::path> plans;  ///< plan files, of one plan or of many
+  std::filesystem::path target;              ///< a new folder, or a .zip
+  LineChoice lines = LineChoice::kSubfields;
+  double tolerance_m = 0.02;  ///< of curves and of the headland line
+  std::string field{};        ///< key or id of the only field wanted; empty: all of all files
+};
+
+struct AgOpenGpsReport {
+  std::vector<std::string> folders;  ///< one for each field; of a single one in a folder that of the target
+  std::size_t lines = 0, curves = 0, obstacles = 0;  ///< curves are among the lines
+  std::vector<ChangedName> changed;
+};
+
+/// Writes field folders of AgOpenGPS (Field.txt, Boundary.txt, Headland.txt, TrackLines.txt, Sections.txt):
+/// of one plan the target becomes the field's folder, of several it gets one for each; a .zip has a folder
+/// for each in any case. The same plans give the same bytes. Written whole or not at all. Coordinates are
+/// metres with three decimals in the plane of AgOpenGPS.
+///
+/// Throws as export_task_set(), and Error(kBadInput) where the target is there and not empty. O(n) in
+/// vertices.
+AgOpenGpsReport export_agopengps(const AgOpenGpsRequest& request);
+
 }  // namespace tramline::io

@@ -117,4 +117,12 @@ std::string Designators::unique(std::string_view utf8, const std::string& otherw
   return out;
 }
 
+std::string Designators::unique_folder(std::string_view utf8, const std::string& otherwise) {
+  std::string name = in_ascii(utf8);
+  for (char& c : name)
+    if (std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos) c = '_';
+  while (name.ends_with('.')) name.pop_back();
+  return unique(name, otherwise);
+}
+
 }  // namespace tramline::io

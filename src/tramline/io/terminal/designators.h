@@ -21,6 +21,9 @@ class Designators {
  public:
   /// The name in ASCII, shortened to kLongestDesignator; `otherwise` where no letter or digit of it is left.
   std::string unique(std::string_view utf8, const std::string& otherwise);
+  /// The same as the name of a folder on any system: without / \ : * ? " < > |, and without a full stop at
+  /// its end.
+  std::string unique_folder(std::string_view utf8, const std::string& otherwise);
 
  private:
   std::set<std::string, std::less<>> given_;

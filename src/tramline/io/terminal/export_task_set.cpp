@@ -28,9 +28,9 @@ void count(const TerminalField& field, TaskSetReport& report) {
   ++report.fields;
   report.obstacles += field.obstacles.size();
   report.headlands += field.headland.size();
-  report.lines += field.lines.size();
-  report.curves += static_cast<std::size_t>(std::count_if(
-      field.lines.begin(), field.lines.end(), [](const TerminalLine& line) { return !line.straight(); }));
+  const LineCounts counts = counts_of(field.lines);
+  report.lines += counts.lines;
+  report.curves += counts.curves;
 }
 
 bool is_zip(const fs::path& target) { return lower_case(target.extension().string()) == ".zip"; }

@@ -107,6 +107,12 @@ std::vector<TerminalLine> lines_of(const Plan& plan, LineChoice choice, double t
   return choice == LineChoice::kAll ? all_lines(plan, tolerance_m) : lines_of_subfields(plan, tolerance_m);
 }
 
+LineCounts counts_of(const std::vector<TerminalLine>& lines) {
+  const auto curves =
+      std::count_if(lines.begin(), lines.end(), [](const TerminalLine& line) { return !line.straight(); });
+  return {lines.size(), static_cast<std::size_t>(curves)};
+}
+
 TerminalField terminal_field(const Plan& plan, LineChoice choice, double tolerance_m,
                              const std::string& file) {
   if (!plan.field.frame.geodetic)
@@ -122,6 +128,7 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.outer = plan.field.outer;
   out.obstacles = plan.field.obstacles;
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
+  if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
   return out;
 }

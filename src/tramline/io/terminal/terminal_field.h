@@ -1,6 +1,7 @@
 #pragma once
 // What guidance terminals are told of a field: its outlines, and lines to drive along.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct TerminalField {
   Ring outer;
   std::vector<Obstacle> obstacles;
   Region headland;
+  Region body;  ///< the land that tracks work; empty: there is no headland
   std::vector<TerminalLine> lines;
   Region gaps;  ///< missed land, where a coverage is sent
 };
@@ -39,6 +41,11 @@ struct TerminalField {
 /// Subfields without tracks have none. Curves stay within `tolerance_m` of the track. O(n) in pieces and
 /// vertices.
 std::vector<TerminalLine> lines_of(const Plan& plan, LineChoice choice, double tolerance_m);
+
+struct LineCounts {
+  std::size_t lines = 0, curves = 0;  ///< curves are among the lines
+};
+LineCounts counts_of(const std::vector<TerminalLine>& lines);
 
 /// All of it; the headland's outline is thinned to `tolerance_m`, the field's and the obstacles' are kept.
 /// Throws Error(kBadInput) naming `file` where the field is in plain metres, which have no place on the
