@@ -12,8 +12,9 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, and to ISOXML and "
-    "AgOpenGPS for guidance terminals.";
+    "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, to ISOXML and "
+    "AgOpenGPS for "
+    "guidance terminals, and routes for autopilots, robots and drones.";
 
 constexpr const char* kExample =
     "Examples:\n"
@@ -23,6 +24,8 @@ constexpr const char* kExample =
     "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
     "  tramline export north.gpkg south.gpkg -o /media/card --isoxml 4\n"
     "  tramline export plan.gpkg -o Fields/Mill --agopengps --lines all\n"
+    "  tramline export plan.gpkg -o mission.plan --machine drone.toml\n"
+    "  tramline export plan.gpkg -o route.yaml\n"
     "GeoJSON and KML are always in WGS 84.";
 
 class ExportCommand : public Command {
@@ -36,8 +39,11 @@ class ExportCommand : public Command {
     command.begin_group("Output");
     command
         .add_option("-o,--output", options_.output,
-                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); with "
-                    "--isoxml or --agopengps a .zip or a folder.")
+                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); the route: "
+                    ".gpx, .plan "
+                    "(QGroundControl), .waypoints, .kmz (DJI), .yaml or .json (robots); with --isoxml or "
+                    "--agopengps a "
+                    ".zip or a folder.")
         .takes("FILE")
         .required();
     command
@@ -58,6 +64,7 @@ class ExportCommand : public Command {
     command.add_flag("--quiet", options_.quiet, "Print no table.");
     add_layer_options(command);
     add_terminal_options(command);
+    add_route_options(command);
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
     command.footer(kExample);
@@ -66,10 +73,13 @@ class ExportCommand : public Command {
 
   int run() override {
     require_terminal_format();
+    require_route_format();
     if (!options_.isoxml.empty())
       run_task_set_export(options_);
     else if (options_.agopengps)
       run_agopengps_export(options_);
+    else if (const auto format = io::route_format_of(options_.output))
+      run_route_export(options_, *format);
     else
       run_layer_export(options_);
     return 0;
@@ -80,6 +90,16 @@ class ExportCommand : public Command {
   void require_terminal_format() const {
     if (options_.lines != ExportOptions{}.lines && options_.isoxml.empty() && !options_.agopengps)
       throw bad_input("--lines is for terminals; give --isoxml or --agopengps too, or leave it out");
+  }
+
+  void require_route_format() const {
+    const auto format = io::route_format_of(options_.output);
+    const bool terminal = !options_.isoxml.empty() || options_.agopengps;
+    if (!options_.machine.empty() && (!format || terminal))
+      throw bad_input(
+          "--machine is for routes; name a .plan, .waypoints or .kmz file with it, or leave it out");
+    if (format && !terminal && (!options_.crs.empty() || !options_.layers.empty()))
+      throw bad_input("--crs and --layer are for layers, and this is the file of a route; leave them out");
   }
 
   void add_layer_options(CommandOptions& command) {
@@ -141,6 +161,17 @@ class ExportCommand : public Command {
         .takes("NAME")
         .needs(isoxml)
         .shows_default();
+  }
+
+  void add_route_options(CommandOptions& command) {
+    command.begin_group("Routes");
+    command
+        .add_option("--machine", options_.machine,
+                    "How a drone flies: a machine file with flight_altitude_m. For .plan, .waypoints and "
+                    ".kmz; without it "
+                    "the mission is one on the ground.")
+        .takes("FILE")
+        .shows_default("on the ground");
   }
 
   ExportOptions options_;

@@ -23,6 +23,9 @@ struct ExportOptions {
   std::string obstacles = "holes";
   std::string customer = io::TaskSetRequest{}.customer, farm = io::TaskSetRequest{}.farm;
 
+  // Routes.
+  std::string machine;  ///< a machine file that says how a drone flies
+
   bool json = false, quiet = false;
 };
 

@@ -14,4 +14,8 @@ void run_task_set_export(const ExportOptions& options);
 /// Field folders of AgOpenGPS. Throws as io::export_agopengps().
 void run_agopengps_export(const ExportOptions& options);
 
+/// The route of a plan, in the format that the extension says. Throws as io::export_route(), and kBadInput
+/// where several plan files are named.
+void run_route_export(const ExportOptions& options, io::RouteFormat format);
+
 }  // namespace tramline::app

@@ -47,7 +47,11 @@ ordered_json json_of(const io::ExportReport& report, const ExportOptions& option
 }  // namespace
 
 void run_layer_export(const ExportOptions& options) {
-  require_writable(options.output, "--output", {".geojson", ".fgb", ".kml", ".zip"}, options.plans);
+  // Those of routes and cards, too: the message is to name all that there are.
+  require_writable(
+      options.output, "--output",
+      {".geojson", ".fgb", ".kml", ".zip", ".gpx", ".plan", ".waypoints", ".kmz", ".yaml", ".json", ".pdf"},
+      options.plans);
   if (options.plans.size() > 1)
     throw bad_input(
         fmt::format("layers are exported from one plan file, not from {}; export them one by one, or plan "

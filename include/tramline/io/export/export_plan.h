@@ -112,4 +112,32 @@ struct AgOpenGpsReport {
 /// vertices.
 AgOpenGpsReport export_agopengps(const AgOpenGpsRequest& request);
 
+/// The route of a plan for autopilots, robots and drones.
+struct RouteRequest {
+  std::filesystem::path plan;
+  std::filesystem::path file;
+  RouteFormat format = RouteFormat::kGpx;
+  std::filesystem::path machine{};  ///< a machine file that says how a drone flies; empty: on the ground
+  double tolerance_m = 0.02;        ///< between the route and the lines between its points; above 0
+  std::string field{};              ///< key or id of a field in a file of many plans
+};
+
+struct RouteReport {
+  RouteFormat format = RouteFormat::kGpx;
+  std::string field_id;
+  std::size_t points = 0;
+  double length_m = 0;
+  std::vector<std::string> notes;  ///< what the file does not say, and why
+};
+
+/// Writes the route of one plan. Missions have commands where speed, gear and work change, and those that fly
+/// take off and land; a .plan has a fence of field and obstacles where the route respects them. The same plan
+/// gives the same bytes. The file is written whole or not at all.
+///
+/// Throws Error(kBadInput) where the tolerance is not above 0 m and at most 10 m, the plan file is missing or
+/// not a plan, has no route, or is in plain metres where the format is not kRobot; where a drone's altitude
+/// is missing, and where the route is beyond a limit of the format. Error(kFailure) where the file cannot be
+/// written. O(n) in stretches and points, in a .plan times the vertices of the field.
+RouteReport export_route(const RouteRequest& request);
+
 }  // namespace tramline::io
