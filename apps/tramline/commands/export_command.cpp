@@ -1,5 +1,6 @@
 // tramline export: plans for other programs, and for the machine.
 
+#include <filesystem>
 #include <string>
 
 #include "commands/command.h"
@@ -26,6 +27,7 @@ constexpr const char* kExample =
     "  tramline export plan.gpkg -o Fields/Mill --agopengps --lines all\n"
     "  tramline export plan.gpkg -o mission.plan --machine drone.toml\n"
     "  tramline export plan.gpkg -o route.yaml\n"
+    "  tramline export plan.gpkg -o card.pdf\n"
     "GeoJSON and KML are always in WGS 84.";
 
 class ExportCommand : public Command {
@@ -38,12 +40,12 @@ class ExportCommand : public Command {
         .required();
     command.begin_group("Output");
     command
-        .add_option("-o,--output", options_.output,
-                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); the route: "
-                    ".gpx, .plan "
-                    "(QGroundControl), .waypoints, .kmz (DJI), .yaml or .json (robots); with --isoxml or "
-                    "--agopengps a "
-                    ".zip or a folder.")
+        .add_option(
+            "-o,--output", options_.output,
+            "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles); the route: .gpx, "
+            ".plan "
+            "(QGroundControl), .waypoints, .kmz (DJI), .yaml or .json (robots); a card to print: .pdf; with "
+            "--isoxml or --agopengps a .zip or a folder.")
         .takes("FILE")
         .required();
     command
@@ -78,6 +80,8 @@ class ExportCommand : public Command {
       run_task_set_export(options_);
     else if (options_.agopengps)
       run_agopengps_export(options_);
+    else if (is_line_card())
+      run_line_card_export(options_);
     else if (const auto format = io::route_format_of(options_.output))
       run_route_export(options_, *format);
     else
@@ -92,14 +96,19 @@ class ExportCommand : public Command {
       throw bad_input("--lines is for terminals; give --isoxml or --agopengps too, or leave it out");
   }
 
+  bool is_line_card() const {
+    const std::string extension = std::filesystem::path(options_.output).extension().string();
+    return extension == ".pdf" || extension == ".PDF";
+  }
+
   void require_route_format() const {
     const auto format = io::route_format_of(options_.output);
     const bool terminal = !options_.isoxml.empty() || options_.agopengps;
     if (!options_.machine.empty() && (!format || terminal))
       throw bad_input(
           "--machine is for routes; name a .plan, .waypoints or .kmz file with it, or leave it out");
-    if (format && !terminal && (!options_.crs.empty() || !options_.layers.empty()))
-      throw bad_input("--crs and --layer are for layers, and this is the file of a route; leave them out");
+    if ((format || is_line_card()) && !terminal && (!options_.crs.empty() || !options_.layers.empty()))
+      throw bad_input("--crs and --layer are for layers, and this is another kind of file; leave them out");
   }
 
   void add_layer_options(CommandOptions& command) {

@@ -18,4 +18,7 @@ void run_agopengps_export(const ExportOptions& options);
 /// where several plan files are named.
 void run_route_export(const ExportOptions& options, io::RouteFormat format);
 
+/// A page for the driver of each field. Throws kBadInput for fields in plain metres.
+void run_line_card_export(const ExportOptions& options);
+
 }  // namespace tramline::app

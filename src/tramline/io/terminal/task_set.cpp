@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "tramline/geodesy/field_projection.h"
-#include "tramline/geometry/angle.h"
 #include "tramline/io/terminal/designators.h"
 
 namespace tramline::io {
@@ -35,15 +33,6 @@ constexpr int kFromDesktop = 16;                 // I
 }  // namespace pattern
 constexpr int kPlannedTask = 1, kFromOffice = 1;
 constexpr double kMillimetres = 1000, kLargestNumber = 4294967294.0;
-
-/// Heading from true north in degrees, as the line sets out. The frame's north is turned against the true one
-/// by the convergence of meridians, Δλ·sin φ.
-double true_heading_deg(const TerminalLine& line, const LocalFrame& frame, Point a_lonlat) {
-  const Heading heading = Heading::from_to(line.points[0], line.points[1]);
-  const double convergence_deg =
-      (a_lonlat.x - frame.origin_lon_deg) * std::sin(a_lonlat.y * std::numbers::pi / 180);
-  return std::fmod(heading.degrees() + convergence_deg + 360, 360);
-}
 
 /// Writes one field after the other into the root element.
 class SetWriter {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "tramline/geometry/angle.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/path.h"
 #include "tramline/io/export/thinned_line.h"
@@ -40,22 +43,36 @@ std::vector<Point> prolonged(Point from, Point to, const Polygon& shape) {
   return {from + first_m * along, from + last_m * along};
 }
 
-/// The longest stretch of a curved piece without a detour, by whichever piece of the subfield has it.
-Path longest_stretch(const Plan& plan, std::size_t subfield) {
-  Path out;
+/// The longest stretch of a curved piece without a detour, and the track it is on.
+struct Stretch {
+  Path path;
+  int track = 0;
+};
+
+Stretch longest_stretch(const Plan& plan, std::size_t subfield) {
+  Stretch out;
   for (const TrackPiece& piece : plan.pieces) {
     if (piece.subfield != subfield) continue;
     for (Path& part : parts_on_track(piece))
-      if (out.empty() || length(part) > length(out)) out = std::move(part);
+      if (out.path.empty() || length(part) > length(out.path)) out = {std::move(part), piece.track};
   }
   return out;
 }
 
-std::vector<Point> line_of_subfield(const Plan& plan, std::size_t subfield, double tolerance_m) {
+TerminalLine line_of_subfield(const Plan& plan, std::size_t subfield, double tolerance_m) {
+  TerminalLine out{"", true, {}, subfield, 0};
   const TrackPiece* const longest = longest_piece(plan, subfield);
-  if (longest == nullptr) return {};
-  if (longest->curve.empty()) return prolonged(longest->start, longest->end, plan.subfields[subfield].shape);
-  return few_points(longest_stretch(plan, subfield), tolerance_m);
+  if (longest == nullptr) return out;
+  out.track = longest->track;
+  if (longest->curve.empty()) {
+    out.points = prolonged(longest->start, longest->end, plan.subfields[subfield].shape);
+  } else {
+    const Stretch stretch = longest_stretch(plan, subfield);
+    out.track = stretch.track;
+    out.points = few_points(stretch.path, tolerance_m);
+  }
+  out.name = fmt::format("{} {}", out.straight() ? "AB" : "Curve", subfield + 1);
+  return out;
 }
 
 void add_line(std::vector<TerminalLine>& lines, TerminalLine line) {
@@ -64,11 +81,8 @@ void add_line(std::vector<TerminalLine>& lines, TerminalLine line) {
 
 std::vector<TerminalLine> lines_of_subfields(const Plan& plan, double tolerance_m) {
   std::vector<TerminalLine> out;
-  for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
-    TerminalLine line{"", true, line_of_subfield(plan, i, tolerance_m)};
-    line.name = fmt::format("{} {}", line.straight() ? "AB" : "Curve", i + 1);
-    add_line(out, std::move(line));
-  }
+  for (std::size_t i = 0; i < plan.subfields.size(); ++i)
+    add_line(out, line_of_subfield(plan, i, tolerance_m));
   return out;
 }
 
@@ -76,7 +90,8 @@ std::vector<TerminalLine> all_lines(const Plan& plan, double tolerance_m) {
   std::vector<TerminalLine> out;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i)
     add_line(out,
-             {fmt::format("Track {}", i + 1), false, few_points(centre_line(plan.pieces[i]), tolerance_m)});
+             {fmt::format("Track {}", i + 1), false, few_points(centre_line(plan.pieces[i]), tolerance_m),
+              plan.pieces[i].subfield, plan.pieces[i].track});
   for (std::size_t i = 0; i < plan.headland.passes.size(); ++i)
     add_line(out, {fmt::format("Headland {}", i + 1), false,
                    few_points(plan.headland.passes[i].path, tolerance_m)});
@@ -105,6 +120,14 @@ Region thinned_region(const Region& region, double tolerance_m) {
 
 std::vector<TerminalLine> lines_of(const Plan& plan, LineChoice choice, double tolerance_m) {
   return choice == LineChoice::kAll ? all_lines(plan, tolerance_m) : lines_of_subfields(plan, tolerance_m);
+}
+
+double true_heading_deg(const TerminalLine& line, const LocalFrame& frame, Point a_lonlat) {
+  const Heading heading = Heading::from_to(line.points[0], line.points[1]);
+  // The frame's north is turned against the true one by the convergence of meridians, Δλ·sin φ.
+  const double convergence_deg =
+      (a_lonlat.x - frame.origin_lon_deg) * std::sin(a_lonlat.y * std::numbers::pi / 180);
+  return std::fmod(heading.degrees() + convergence_deg + 360, 360);
 }
 
 LineCounts counts_of(const std::vector<TerminalLine>& lines) {

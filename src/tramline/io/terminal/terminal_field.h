@@ -19,6 +19,8 @@ struct TerminalLine {
   std::string name;           ///< "AB 1", "Curve 2", "Track 12", "Headland 3"
   bool parallels = false;     ///< whether the terminal is to make parallels to it
   std::vector<Point> points;  ///< at least two, no two in succession alike
+  std::size_t subfield = 0;   ///< of a track, like the next
+  int track = 0;
   bool straight() const { return points.size() == 2; }
 };
 
@@ -41,6 +43,9 @@ struct TerminalField {
 /// Subfields without tracks have none. Curves stay within `tolerance_m` of the track. O(n) in pieces and
 /// vertices.
 std::vector<TerminalLine> lines_of(const Plan& plan, LineChoice choice, double tolerance_m);
+
+/// Heading from true north in degrees, as the line sets out from A, in [0, 360).
+double true_heading_deg(const TerminalLine& line, const LocalFrame& frame, Point a_lonlat);
 
 struct LineCounts {
   std::size_t lines = 0, curves = 0;  ///< curves are among the lines
