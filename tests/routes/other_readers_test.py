@@ -142,6 +142,26 @@ class OtherReaders(unittest.TestCase):
             self.assertNotIn("  ", element.text.strip())
             self.assertNotIn("\n", element.text.strip())
 
+    def test_gaps_by_gpsbabel(self):
+        coverage = self.folder / "coverage.gpkg"
+        run(TRAMLINE, "evaluate", str(EXAMPLES / "riverside-drive.csv"), "--field", str(EXAMPLES / "riverside.geojson"),
+            "--quiet", "-o", str(coverage))
+        run(TRAMLINE, "export", str(coverage), "-o", str(self.folder / "gaps.gpx"), "--quiet")
+        run(TRAMLINE, "export", str(coverage), "-o", str(self.folder / "gaps.geojson"), "--quiet")
+        gaps = json.loads((self.folder / "gaps.geojson").read_text())["features"]
+        table = self.folder / "gaps.csv"
+        run("gpsbabel", "-w", "-i", "gpx", "-f", str(self.folder / "gaps.gpx"), "-o", "unicsv,prec=9", "-F", str(table))
+        rows = self.rows_of(table)
+        self.assertGreater(len(gaps), 10)
+        self.assertEqual(sorted(row["Name"] for row in rows), sorted(f"Gap {i + 1}" for i in range(len(gaps))))
+        by_name = {row["Name"]: row for row in rows}
+        for gap in gaps:
+            row = by_name[f"Gap {gap['properties']['number']}"]
+            corners = gap["geometry"]["coordinates"][0]
+            for i, key in enumerate(("Longitude", "Latitude")):
+                self.assertLessEqual(min(corner[i] for corner in corners) - 1e-8, float(row[key]))
+                self.assertGreaterEqual(max(corner[i] for corner in corners) + 1e-8, float(row[key]))
+
     def test_kml_by_gpsbabel(self):
         kml = self.exported("route.kml", "--layer", "route")
         table = self.folder / "kml.csv"
@@ -221,7 +241,7 @@ class OtherReaders(unittest.TestCase):
         self.assertEqual({s["type"] for s in segments} - {"line", "arc", "clothoid"}, set())
         for s in segments:
             x, y, yaw = s["start"]["x"], s["start"]["y"], s["start"]["yaw"]
-            steps, way = 400, s["length_m"] * (1 if s["gear"] == "forward" else -1)
+            steps, way = 100, s["length_m"] * (1 if s["gear"] == "forward" else -1)
             for i in range(steps):  # midpoint rule
                 share = (i + 0.5) / steps
                 curvature = s["curvature_at_start"] + share * (s["curvature_at_end"] - s["curvature_at_start"])

@@ -36,7 +36,9 @@ class ExportCommand : public Command {
     CommandOptions command(program, "export", kAbout);
     command
         .add_option("PLAN", options_.plans,
-                    "The plan: a GeoPackage written by 'tramline plan'. Task sets take several.")
+                    "The plan: a GeoPackage written by 'tramline plan' or 'tramline repair', or the coverage "
+                    "of 'tramline evaluate'. Terminals and "
+                    "cards take several.")
         .required();
     command.begin_group("Output");
     command

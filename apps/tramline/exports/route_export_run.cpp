@@ -22,8 +22,9 @@ void run_route_export(const ExportOptions& options, io::RouteFormat format) {
   constexpr double kKilometre_m = 1000;
   std::string table =
       fmt::format("{}: field {}, {}\n", options.output, report.field_id, name(report.format)) +
-      count_row("points", report.points) +
-      fmt::format("  {:<18}{:>8.3f} km\n", "route", report.length_m / kKilometre_m);
+      (report.gaps > 0 ? count_row("gaps", report.gaps)
+                       : count_row("points", report.points) +
+                             fmt::format("  {:<18}{:>8.3f} km\n", "route", report.length_m / kKilometre_m));
   for (const std::string& note : report.notes) fmt::format_to(std::back_inserter(table), "note: {}\n", note);
   print_report(options, table,
                {{"plan", options.plans.front()},
@@ -33,6 +34,7 @@ void run_route_export(const ExportOptions& options, io::RouteFormat format) {
                 {"format", name(report.format)},
                 {"points", report.points},
                 {"route_m", report.length_m},
+                {"gaps", report.gaps},
                 {"notes", report.notes}});
 }
 

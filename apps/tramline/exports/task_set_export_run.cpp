@@ -19,6 +19,7 @@ std::string table_of(const io::TaskSetReport& report, const ExportOptions& optio
                                 static_cast<double>(report.bytes) / kKilobyte);
   out += count_row("AB lines", report.lines - report.curves) + count_row("curves", report.curves) +
          count_row("obstacles", report.obstacles) + count_row("headlands", report.headlands);
+  if (report.gaps > 0) out += count_row("gaps", report.gaps);
   return out + renamed_rows(report.changed);
 }
 
@@ -32,6 +33,7 @@ ordered_json json_of(const io::TaskSetReport& report, const ExportOptions& optio
           {"curves", report.curves},
           {"obstacles", report.obstacles},
           {"headlands", report.headlands},
+          {"gaps", report.gaps},
           {"bytes", report.bytes},
           {"renamed", renamed_json(report.changed)}};
 }

@@ -56,9 +56,10 @@ std::map<std::string, Element> grammar(bool version4) {
                  {"D", {id_of("FRM"), false, "FRM"}},
                  {"E", {id_of("PFD"), false, "PFD"}},
                  {"G", {"[1-6]", true}}}};
-  // Version 3 has 1 to 8 only. A headland is 10 there too, as readers of version 3 expect it.
+  // No treatment zones (2): those belong to tasks. Version 3 has 1 to 8 only. A headland is 10 there too, as
+  // readers of version 3 expect it.
   out["PLN"] = {{"PFD"},
-                {{"A", {version4 ? "[1-9]|1[0-2]" : "[1-8]|10", true}}, {"B", {kName}}, {"C", {kNumber}}}};
+                {{"A", {version4 ? "[13-9]|1[0-2]" : "[13-8]|10", true}}, {"B", {kName}}, {"C", {kNumber}}}};
   out["LSG"] = {{"PLN"}, {{"A", {version4 ? "[1-9]" : "[1-8]", true}}, {"B", {kName}}, {"C", {kNumber}}}};
   out["PNT"] = {
       {"LSG"},

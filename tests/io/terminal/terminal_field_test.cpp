@@ -83,6 +83,34 @@ TEST(TerminalField, ASubfieldWithoutTracksHasNoLine) {
   EXPECT_TRUE(lines_of(plan, LineChoice::kSubfields, 0.02).empty());
 }
 
+// A field in two parts, the second with a pond, and a gap in each.
+TEST(TerminalField, EachPartOfAnEvaluatedFieldIsAField) {
+  Coverage coverage;
+  coverage.field_id = "both";
+  coverage.frame = {true, 13, 52, 0, 0};
+  coverage.field = {
+      {{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {}},
+      {{{200, 0}, {300, 0}, {300, 100}, {200, 100}}, {{{240, 40}, {240, 60}, {260, 60}, {260, 40}}}}};
+  coverage.gaps = {{1, {{{210, 10}, {220, 10}, {220, 20}, {210, 20}}, {}}, 100, {215, 15}},
+                   {2, {{{10, 10}, {15, 10}, {15, 15}}, {}}, 12.5, {13, 12}}};
+  const std::vector<TerminalField> fields = terminal_fields(coverage, 0.02, "coverage.gpkg");
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_TRUE(fields[0].obstacles.empty());
+  EXPECT_EQ(fields[1].obstacles.size(), 1U);
+  EXPECT_NEAR(fields[1].area_m2, 9600, 1e-9);
+  EXPECT_EQ(fields[0].gaps, (Region{coverage.gaps[1].shape}));
+  EXPECT_EQ(fields[1].gaps, (Region{coverage.gaps[0].shape}));
+  coverage.field.clear();
+  EXPECT_REFUSED(terminal_fields(coverage, 0.02, "coverage.gpkg"));
+}
+
+TEST(TerminalField, OfARepairTheGapsAreTold) {
+  Plan plan = testing_support::small_plan();
+  EXPECT_TRUE(terminal_field(plan, LineChoice::kAll, 0.02, "").gaps.empty());
+  plan.kind = PlanKind::kRepair;
+  EXPECT_EQ(terminal_field(plan, LineChoice::kAll, 0.02, "").gaps, plan.body);
+}
+
 TEST(TerminalField, PlainMetresHaveNoPlaceOnTheGlobe) {
   Plan plan = testing_support::small_plan();
   plan.field.frame = {};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/export/export_plan.h"
 #include "tramline/io/export/file_set.h"
 #include "tramline/io/export/thinned_line.h"
@@ -50,6 +51,18 @@ void write_text(const std::string& text, const std::filesystem::path& file) {
   write_whole(file, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+RouteReport export_gaps(const RouteRequest& request) {
+  const Coverage coverage = read_coverage(request.plan);
+  if (!coverage.frame.geodetic)
+    throw bad_input(fmt::format("{}: field '{}' is in plain metres, which have no place on the globe",
+                                request.plan.string(), coverage.field_id));
+  if (coverage.gaps.empty())
+    throw bad_input(
+        fmt::format("{}: there are no gaps in it, so there is nothing to export", request.plan.string()));
+  write_text(gaps_gpx_text(coverage), request.file);
+  return {request.format, coverage.field_id, 0, 0, coverage.gaps.size(), {}};
+}
+
 }  // namespace
 
 std::optional<RouteFormat> route_format_of(const std::filesystem::path& file) {
@@ -80,12 +93,13 @@ const char* name(RouteFormat format) {
 
 RouteReport export_route(const RouteRequest& request) {
   require_tolerance(request.tolerance_m);
+  if (request.format == RouteFormat::kGpx && is_coverage_file(request.plan)) return export_gaps(request);
   if (request.tolerance_m == 0)
     throw bad_input("--tolerance must be above 0 m for a route: its arcs become lines between points");
   const std::optional<Flight> flight = flight_of(request);
   const Plan plan = plan_with_route(request);
   const std::vector<WayPoint> route = way_points(plan, request.tolerance_m);
-  RouteReport report{request.format, plan.field.id, route.size(), length_of(route), {}};
+  RouteReport report{request.format, plan.field.id, route.size(), length_of(route), 0, {}};
   switch (request.format) {
     case RouteFormat::kGpx:
       write_text(gpx_text(plan, route), request.file);

@@ -11,6 +11,7 @@
 #include "tramline/io/mission/geofence.h"
 #include "tramline/io/mission/mission_items.h"
 #include "tramline/io/mission/way_points.h"
+#include "tramline/model/coverage.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
@@ -28,6 +29,9 @@ std::vector<NamedFile> wpml_files(const Plan& plan, const std::vector<WayPoint>&
 
 /// GPX 1.1: one track of one segment.
 std::string gpx_text(const Plan& plan, const std::vector<WayPoint>& route);
+
+/// GPX 1.1: a place for each gap, named by its number, with its area, and its outline as a track.
+std::string gaps_gpx_text(const Coverage& coverage);
 
 /// The route for robots: `datum`, the place of the frame's origin; `path`, a nav_msgs/Path of all points;
 /// `segments`, the exact stretches with type, gear, speed, curvature and work. Frame: x east, y north,

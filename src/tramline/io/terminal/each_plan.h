@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tramline/io/export/export_format.h"
+#include "tramline/io/terminal/terminal_field.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
@@ -15,5 +17,11 @@ namespace tramline::io {
 /// Throws Error(kBadInput) where there is no file, `field` is given with several, or as read_plan().
 void for_each_plan(const std::vector<std::filesystem::path>& files, const std::string& field,
                    const std::function<void(const Plan& plan, const std::string& file)>& use);
+
+/// The same for terminals; files may be coverage files as well, of which each connected part of the field is
+/// one.
+void for_each_field(const std::vector<std::filesystem::path>& files, const std::string& field,
+                    LineChoice choice, double tolerance_m,
+                    const std::function<void(TerminalField field)>& use);
 
 }  // namespace tramline::io

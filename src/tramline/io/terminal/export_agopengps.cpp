@@ -47,9 +47,8 @@ AgOpenGpsReport export_agopengps(const AgOpenGpsRequest& request) {
   if (!zipped) require_free(request.target);
   AgOpenGpsReport report;
   std::vector<TerminalField> fields;
-  for_each_plan(request.plans, request.field, [&](const Plan& plan, const std::string& file) {
-    fields.push_back(terminal_field(plan, request.lines, request.tolerance_m, file));
-  });
+  for_each_field(request.plans, request.field, request.lines, request.tolerance_m,
+                 [&](TerminalField field) { fields.push_back(std::move(field)); });
   const bool is_target = !zipped && fields.size() == 1;
   Designators names;
   std::vector<Folder> folders;

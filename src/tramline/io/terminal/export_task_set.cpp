@@ -28,6 +28,7 @@ void count(const TerminalField& field, TaskSetReport& report) {
   ++report.fields;
   report.obstacles += field.obstacles.size();
   report.headlands += field.headland.size();
+  report.gaps += field.gaps.size();
   const LineCounts counts = counts_of(field.lines);
   report.lines += counts.lines;
   report.curves += counts.curves;
@@ -76,9 +77,9 @@ TaskSetReport export_task_set(const TaskSetRequest& request) {
   require_target(request.target);
   TaskSetReport report;
   std::vector<TerminalField> fields;
-  for_each_plan(request.plans, request.field, [&](const Plan& plan, const std::string& file) {
-    fields.push_back(terminal_field(plan, request.lines, request.tolerance_m, file));
-    count(fields.back(), report);
+  for_each_field(request.plans, request.field, request.lines, request.tolerance_m, [&](TerminalField field) {
+    count(field, report);
+    fields.push_back(std::move(field));
   });
   TaskSet set = task_set(fields, {request.version, request.obstacles, request.customer, request.farm});
   report.bytes = set.xml.size();

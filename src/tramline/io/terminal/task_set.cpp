@@ -17,7 +17,7 @@ namespace {
 // it has no word for a headland, for which the one of version 4 is written all the same, since readers ask
 // for that.
 namespace polygon_type {
-constexpr int kBoundary = 1, kObstacle = 6, kOther = 8, kHeadland = 10, kTreatmentZone = 2;
+constexpr int kBoundary = 1, kObstacle = 6, kOther = 8, kHeadland = 10;
 }
 namespace line_type {
 constexpr int kExterior = 1, kInterior = 2, kGuidance = 5;
@@ -132,8 +132,9 @@ class SetWriter {
     }
     for (std::size_t i = 0; i < field.headland.size(); ++i)
       add_polygon(partfield, polygon_type::kHeadland, fmt::format("Headland {}", i + 1), field.headland[i]);
+    // Treatment zones (2) belong into tasks, not into partfields.
     for (std::size_t i = 0; i < field.gaps.size(); ++i)
-      add_polygon(partfield, polygon_type::kTreatmentZone, fmt::format("Gap {}", i + 1), field.gaps[i]);
+      add_polygon(partfield, polygon_type::kOther, fmt::format("Gap {}", i + 1), field.gaps[i]);
   }
 
   void add_guidance(pugi::xml_node partfield, const TerminalField& field, const TerminalLine& line) {

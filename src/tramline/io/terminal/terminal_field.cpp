@@ -116,6 +116,14 @@ Region thinned_region(const Region& region, double tolerance_m) {
   return out;
 }
 
+void require_a_place(const LocalFrame& frame, const std::string& field, const std::string& file) {
+  if (!frame.geodetic)
+    throw bad_input(
+        fmt::format("{}: field '{}' is in plain metres, which have no place on the globe; plan it from "
+                    "a file with a coordinate reference system, or name one with --crs then",
+                    file, field));
+}
+
 }  // namespace
 
 std::vector<TerminalLine> lines_of(const Plan& plan, LineChoice choice, double tolerance_m) {
@@ -138,11 +146,7 @@ LineCounts counts_of(const std::vector<TerminalLine>& lines) {
 
 TerminalField terminal_field(const Plan& plan, LineChoice choice, double tolerance_m,
                              const std::string& file) {
-  if (!plan.field.frame.geodetic)
-    throw bad_input(
-        fmt::format("{}: field '{}' is in plain metres, which have no place on the globe; plan it from "
-                    "a file with a coordinate reference system, or name one with --crs then",
-                    file, plan.field.id));
+  require_a_place(plan.field.frame, plan.field.id, file);
   TerminalField out;
   out.name = plan.field.id;
   out.frame = plan.field.frame;
@@ -153,6 +157,29 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
   if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
+  if (is_repair(plan)) out.gaps = thinned_region(plan.body, tolerance_m);
+  return out;
+}
+
+std::vector<TerminalField> terminal_fields(const Coverage& coverage, double tolerance_m,
+                                           const std::string& file) {
+  require_a_place(coverage.frame, coverage.field_id, file);
+  if (coverage.field.empty())
+    throw bad_input(
+        fmt::format("{}: the drive was evaluated without a field; evaluate it again with --field", file));
+  std::vector<TerminalField> out;
+  for (const Polygon& part : coverage.field) {
+    TerminalField& field = out.emplace_back();
+    field.name = coverage.field_id;
+    field.frame = coverage.frame;
+    field.width_m = coverage.width_m;
+    field.area_m2 = area(part);
+    field.outer = part.outer;
+    for (const Ring& hole : part.holes)
+      field.obstacles.push_back({{reversed(hole), {}}, ObstacleKind::kObstacle, ""});
+    for (const Gap& gap : coverage.gaps)
+      if (contains(part, gap.centre)) field.gaps.push_back(thinned_region({gap.shape}, tolerance_m).front());
+  }
   return out;
 }
 

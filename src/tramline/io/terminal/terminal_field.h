@@ -8,6 +8,7 @@
 #include "tramline/geometry/point.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/io/export/export_format.h"
+#include "tramline/model/coverage.h"
 #include "tramline/model/field.h"
 #include "tramline/model/local_frame.h"
 #include "tramline/model/plan.h"
@@ -57,5 +58,10 @@ LineCounts counts_of(const std::vector<TerminalLine>& lines);
 /// globe.
 TerminalField terminal_field(const Plan& plan, LineChoice choice, double tolerance_m,
                              const std::string& file);
+
+/// Of an evaluated drive, for each connected part of the field: its outline, its holes as obstacles, and the
+/// gaps in it. Throws Error(kBadInput) naming `file` where there is no field, or it is in plain metres.
+std::vector<TerminalField> terminal_fields(const Coverage& coverage, double tolerance_m,
+                                           const std::string& file);
 
 }  // namespace tramline::io
