@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of TrackLines.txt. Others are curves: a line of points.
-constexpr int kAbMode = 2, kPivotMode = 64;
+constexpr int kAbMode = 2, kPivotMode = 64, kHeadlineMode = 0;
 
 /// The position after the word StartFix.
 Point start_in(const std::string& path) {
@@ -93,7 +93,7 @@ Track next_headline(FieldRows& rows) {
   out.name = rows.text();
   for (int i = 0; i < 3; ++i) rows.numbers(1);
   out.points = rows.places(rows.count());
-  out.mode = 0;
+  out.mode = kHeadlineMode;
   return out;
 }
 
@@ -112,6 +112,7 @@ void add_guide(Track track, const FieldFolder& folder, RawDataset& dataset) {
   feature.id = track.name;
   feature.geometry_type = "Line String";
   feature.attributes["name"] = track.name;
+  if (track.mode != kHeadlineMode) feature.attributes["role"] = "track";
   feature.lines.push_back(on_globe(track.points, folder.plane()));
   layer.features.push_back(std::move(feature));
 }

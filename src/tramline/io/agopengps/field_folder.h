@@ -39,9 +39,9 @@ class FieldFolder {
 /// Throws bad_input, naming file and line, where it cannot be read or holds no boundary.
 RawDataset field_in(const FieldFolder& folder);
 
-/// Layer "guides": the tracks of TrackLines.txt and the headland lines of Headlines.txt, called by their
-/// names. Those that are no line, such as pivots, are listed in `skipped`. WGS 84. Throws bad_input as
-/// field_in().
+/// Layer "guides": the tracks of TrackLines.txt, whose attribute "role" is "track" since they are the middle
+/// of one, and the headland lines of Headlines.txt, all called by their names. Those that are no line, such
+/// as pivots, are listed in `skipped`. WGS 84. Throws bad_input as field_in().
 RawDataset guides_in(const FieldFolder& folder);
 
 }  // namespace tramline::io

@@ -95,6 +95,7 @@ void add_guidance(const pugi::xml_node& partfield, const std::string& file, RawD
     feature.id = found.id;
     feature.geometry_type = "Line String";
     feature.attributes["name"] = found.name;
+    feature.attributes["role"] = "track";
     feature.lines.push_back(*std::move(line));
     layer.features.push_back(std::move(feature));
   }
