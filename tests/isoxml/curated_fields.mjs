@@ -1,7 +1,8 @@
 // Task sets of all curated real fields, one field and four hundred a set, in both versions, read by the npm package isoxml: no
-// warnings, and the boundaries and holes of fields that were not repaired as their own file has them.
-// Usage: curated_fields.mjs FIELDS.geojson   (TRAMLINE names the program)
-import { execFileSync } from 'node:child_process';
+// warnings, and the boundaries and holes of fields that were not repaired as their own file has them. CHECK (task_set_check) finds
+// each set as the standard has it, and as our own reader reads it.
+// Usage: curated_fields.mjs FIELDS.geojson   (TRAMLINE and CHECK name the programs)
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -38,6 +39,8 @@ async function examine(plans, version, untouched) {
   rmSync(target, { force: true });
   const report = JSON.parse(run('export', ...plans, '-o', target, '--isoxml', version, '--lines', 'all', '--json'));
   const where = `version ${version}, ${plans.length} plans`;
+  const check = spawnSync(process.env.CHECK, [target], { encoding: 'utf8' });
+  if (check.status !== 0) fault(where, check.stdout);
   const set = await readTaskSet(target);
   set.warnings.forEach((warning) => fault(where, warning));
   if (set.fields.length !== plans.length) fault(where, `${set.fields.length} fields`);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <random>
 
 #include "support/refusals.h"
 #include "support/temporary_folder.h"
@@ -132,6 +133,29 @@ TEST_F(FieldFolderTest, WhatCannotBeReadIsNamedWithItsLine) {
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "95"));
   write("Field.txt", "x\n");
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "StartFix"));
+}
+
+/// Damaged files are read as far as they make sense, or refused in a sentence.
+TEST_F(FieldFolderTest, DamagedFilesAreReadOrRefused) {
+  const std::string field = "x\n$FieldDir\ntest\n$Offsets\n0,0\nConvergence\n0\nStartFix\n52.0,5.0\n";
+  const std::string boundary = "$Boundary\nFalse\n4\n0,0,0\n0,100,1.5\n100,100,3.1\n100,0,4.7\n";
+  const std::string tracks = "$TrackLines\nAB 90\n1.5708\n0,10\n100,10\n0\n2\nTrue\n0\n";
+  const std::string sections = "5\n27,151,160\n10,0,0\n14,0,0\n10,5,0\n14,5,0\n";
+  std::mt19937 random(29);
+  int refused = 0;
+  constexpr int kCases = 300;
+  for (int i = 0; i < kCases; ++i) {
+    write("Field.txt", i % 4 == 0 ? testing_support::damaged(field, 2, random) : field);
+    write("Boundary.txt", testing_support::damaged(boundary, 1 + i % 3, random));
+    write("TrackLines.txt", testing_support::damaged(tracks, 1 + i % 3, random));
+    write("Sections.txt", testing_support::damaged(sections, 1 + i % 3, random));
+    const auto refuses = [](auto call) { return !testing_support::unless_refused(call).has_value(); };
+    refused += refuses([&] { return read_fields(query()).layers.size(); }) ? 1 : 0;
+    refused += refuses([&] { return read_guides(query()).layers.size(); }) ? 1 : 0;
+    refused += refuses([&] { return read_log(path()).fixes.size(); }) ? 1 : 0;
+  }
+  EXPECT_GT(refused, kCases / 10);
+  EXPECT_LT(refused, 3 * kCases);
 }
 
 }  // namespace
