@@ -139,6 +139,7 @@ class ExportCommand : public Command {
                         "folder gets TASKDATA/TASKDATA.XML.")
             .takes("VERSION")
             .one_of({"4", "3"})
+            .shows_default("no task set")
             .excludes(command.option("--crs"))
             .excludes(command.option("--layer"));
     command
