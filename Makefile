@@ -136,7 +136,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
   long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
-  long-coverage long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
+  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
@@ -229,6 +229,10 @@ long-order: build ## the driving order of all real fields, straight and curved: 
 long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
+
+long-task-sets: build ## task sets of all curated real fields, 1 and 400 fields a set, read by an independent reader
+	cmake --build $(RELEASE) -j $(JOBS) --target task_set_check
+	TRAMLINE=$(TRAMLINE) CHECK=$(RELEASE)/tests/isoxml/task_set_check $(LIMIT) node tests/isoxml/curated_fields.mjs $(TRAMLINE_DATA)/fields/fields.geojson
 
 long-manoeuvres: build ## the shortest ways between 100,000 random pairs of poses: right, and no longer than OMPL's
 	TRAMLINE_CASES=100000 $(LIMIT) $(RELEASE)/tests/turns/test_turns_properties --gtest_filter='*Ompl'

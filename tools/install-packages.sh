@@ -19,8 +19,8 @@ build_packages=(
 # bear Debian's beside it.
 command -v node >/dev/null || build_packages+=(nodejs)
 command -v npm >/dev/null || build_packages+=(npm)
-# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page.
-test_packages=(gpsd gpsd-clients chromium)
+# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page, the others read routes.
+test_packages=(gpsd gpsd-clients chromium gpsbabel python3-yaml python3-jsonschema)
 # What `make layout` and `make format` need: the quick part of `make lint`.
 layout_packages=(clang-format-14 shellcheck)
 # What `make lint` and the long tests need besides.

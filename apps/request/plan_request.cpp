@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/path/kinked_offset.h"
+#include "tramline/io/isoxml/read_fields.h"
 #include "tramline/io/machine/read_machine.h"
 #include "tramline/io/vector/read_vector.h"
 #include "tramline/model/limits.h"
@@ -267,7 +269,7 @@ std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_d
   query.file = o.guide_file;
   query.where = o.guide_where;
   query.all_layers = true;
-  return read_guide(io::read_vector(query), crs_definition);
+  return read_guide(io::read_guides(query), crs_definition);
 }
 
 Gates gates_of(const PlanOptions& o, const std::string& crs_definition) {
@@ -279,11 +281,26 @@ void place_gates(const Gates& gates, const Field& field, PlanSettings& settings)
   if (gates.end) settings.route.end = placed_gate(*gates.end, field);
 }
 
+namespace {
+
+/// The border on the right of the swath along a line: tracks are numbered from borders.
+std::vector<Point> border_beside(const std::vector<Point>& line, double width_m, const std::string& origin) {
+  std::vector<Point> out = kinked_offset(line, 0.5 * width_m);
+  if (out.size() < 2)
+    throw bad_input(
+        fmt::format("{}: the line bends so tightly that no swath of {} m lies along it", origin, width_m));
+  return out;
+}
+
+}  // namespace
+
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
                           const Field& field, const Machine& machine) {
   PlanSettings out = settings;
   if (!guide) return out;
   out.guide = placed_guide(*guide, field, machine.width_m);
+  if (guide->role == GuideRole::kTrack && out.ab_anchor != AbAnchor::kEnvelope)
+    out.guide = border_beside(out.guide, machine.width_m, guide->origin);
   out.shape = out.guide.size() > 2 ? TrackShape::kCurved : TrackShape::kStraight;
   return out;
 }

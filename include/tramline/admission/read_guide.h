@@ -11,18 +11,23 @@
 
 namespace tramline {
 
+/// What a line means to who drew it. kBorder: the border of two swaths. kTrack: the middle of one, as with
+/// the lines of guidance terminals.
+enum class GuideRole { kBorder, kTrack };
+
 /// A reference line before it is converted to a field's frame. Coordinates: WGS 84 longitude and latitude, or
 /// plain metres like the fields'.
 struct GuideLine {
   std::string origin;  ///< "guide.geojson feature 3", "--ab"
   std::vector<Point> points;
   bool plain = false;
+  GuideRole role = GuideRole::kBorder;
 };
 
 /// The only line of a dataset. A layer without a CRS is read in `fields_crs`, a definition as accepted by
 /// Crs. Where the fields are in plain metres the line is too, whatever its layer says. Throws bad_input where
 /// there is no line, or more than one (naming them), and for coordinates that are not finite or not on the
-/// globe.
+/// globe. A feature whose attribute "role" is "track" is the middle of a track.
 GuideLine read_guide(const RawDataset& dataset, const std::string& fields_crs);
 
 /// A line of two points in the CRS of the fields or, where they cannot be in it, in longitude and latitude if

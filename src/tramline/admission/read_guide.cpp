@@ -56,7 +56,10 @@ GuideLine read_guide(const RawDataset& dataset, const std::string& fields_crs) {
       for (const std::vector<Point>& line : feature.lines) {
         ++lines;
         found += (found.empty() ? "" : ", ") + name;
-        if (!out) out = on_the_globe(line, crs, fmt::format("{} feature {}", file, name));
+        if (out) continue;
+        out = on_the_globe(line, crs, fmt::format("{} feature {}", file, name));
+        const auto role = feature.attributes.find("role");
+        if (role != feature.attributes.end() && role->second == "track") out->role = GuideRole::kTrack;
       }
     }
   }

@@ -30,4 +30,9 @@ std::vector<LogEntry> list_task_logs(const std::string& path);
 /// O(size).
 RawDataset read_partfields(const std::string& path);
 
+/// The guidance lines of a task set, of all its partfields: layer "guidance", each feature called by the
+/// identifier of its pattern, its designator in the attribute "name". Anything that cannot be read is listed
+/// in `skipped`. Throws bad_input like TaskFiles::open(), and where there is no line. O(size).
+RawDataset read_guidance(const std::string& path);
+
 }  // namespace tramline::io

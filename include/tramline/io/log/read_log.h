@@ -23,11 +23,12 @@ struct LogOptions {
 };
 
 /// Reads CSV (.csv, .txt, also .gz), NMEA 0183, GPX, ISOXML (folder, TASKDATA.XML, zip, or one TLG*.xml or
-/// .bin) and points of vector files (GeoJSON, GeoPackage, Shapefile …; of a zip too). Records that cannot be
-/// used are listed in WorkLog::skipped, assumptions in WorkLog::notes; the fixes are in the order of the
-/// file. Throws bad_input, in one sentence, for: a missing file, a format that is not recognised, a column
-/// that is missing (naming those found), a log of that name that is missing (naming those found), a file that
-/// expands to more than kMostExpanded bytes, and a file without any usable fix. Prints nothing. O(size).
+/// .bin), the coverage of an AgOpenGPS field folder, and points of vector files (GeoJSON, GeoPackage,
+/// Shapefile …; of a zip too). Records that cannot be used are listed in WorkLog::skipped, assumptions in
+/// WorkLog::notes; the fixes are in the order of the file. Throws bad_input, in one sentence, for: a missing
+/// file, a format that is not recognised, a column that is missing (naming those found), a log of that name
+/// that is missing (naming those found), a file that expands to more than kMostExpanded bytes, and a file
+/// without any usable fix. Prints nothing. O(size).
 WorkLog read_log(const std::string& path, const LogOptions& options = {});
 
 /// The same, job by job: logs of a task set from different fields, machines or days are separate jobs

@@ -1,7 +1,9 @@
 #pragma once
 // The picture of a plan, of several, and tables of their figures.
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,28 @@ struct Table {
 /// gives the same bytes. The file is written whole or not at all. Throws bad_input for another extension and
 /// where there is no column, Error(kFailure) when the file cannot be written.
 void draw_table(const Table& table, const std::filesystem::path& path);
+
+/// A line to be typed into a display, or to be steered by from a printed page.
+struct CardLine {
+  std::string name;
+  Point a, b;                     ///< its ends, in the field's local metres
+  std::vector<std::string> rows;  ///< what is said of it: ends in degrees, heading
+};
+
+/// A page for the driver of one field.
+struct LineCard {
+  Plan plan;
+  std::vector<CardLine> lines;
+  std::vector<std::string> rows;  ///< the rest: width, headland, order, hours; long ones are broken
+};
+
+/// Draws a page of A4 for each field to a PDF: its name, a map with the lines and their ends A and B, the
+/// lines, and what is said below. What does not fit on a page goes on on the next. `card` gives the pages one
+/// after the other. The same input gives the same bytes. The file is written whole or not at all. Throws
+/// bad_input for another extension and where there is no card, Error(kFailure) when the file cannot be
+/// written.
+void draw_line_cards(std::size_t cards, const std::function<LineCard(std::size_t)>& card,
+                     const std::filesystem::path& path);
 
 /// The layout used by draw_plan(); its view maps a point of the field to its pixel.
 PageLayout layout_of(const Plan& plan, const PictureOptions& options = {});

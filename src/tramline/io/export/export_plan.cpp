@@ -10,9 +10,12 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/coverage/coverage_layers.h"
+#include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/export/column_names.h"
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
+#include "tramline/io/export/thinned_line.h"
 #include "tramline/io/export/zip_folder.h"
 #include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
@@ -58,11 +61,17 @@ bool are_lines(const std::vector<std::string>& layers) {
          });
 }
 
+/// Where a coverage file holds no tracks, the gaps are what others want to know.
+std::vector<std::string> usual_layers(GDALDataset& file) {
+  if (file.GetLayerByName(plan_layers::kTracks) == nullptr) return {coverage_layers::kGaps};
+  return lines_of(file);
+}
+
 std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& request, ExportFormat format) {
   const std::vector<std::string> all = layers_with_shapes(plan);
   if (request.layers.empty()) {
     if (format == ExportFormat::kShapefiles) return all;
-    std::vector<std::string> out = lines_of(plan);
+    std::vector<std::string> out = usual_layers(plan);
     if (!single_layer(format) && std::find(all.begin(), all.end(), kRoute) != all.end())
       out.emplace_back(kRoute);
     return out;
@@ -120,7 +129,21 @@ struct Chosen {
   std::map<std::string, LocalFrame, std::less<>> frames{};  ///< see LayerWay
 };
 
+/// Of a coverage file. Its coordinate reference system is that of its plane: the source's is not in it.
+Chosen chosen_of_coverage(const ExportRequest& request) {
+  const Coverage coverage = read_coverage(request.plan);
+  if (!request.field.empty() && request.field != coverage.field_id)
+    throw bad_input(fmt::format("{}: there is no field '{}' in it; it is of field '{}'",
+                                request.plan.string(), request.field, coverage.field_id));
+  Chosen out;
+  out.field.id = coverage.field_id;
+  out.field.frame = coverage.frame;
+  out.field.source.input_crs = coverage.frame.geodetic ? "EPSG:4326" : "";
+  return out;
+}
+
 Chosen chosen_from(const ExportRequest& request) {
+  if (is_coverage_file(request.plan)) return chosen_of_coverage(request);
   const std::vector<FieldNames> fields = fields_in(request.plan);
   if (fields.empty())
     return {read_plan(request.plan, request.field).field, 1, std::nullopt, frames_in(request.plan)};
@@ -155,12 +178,6 @@ void write_layers(GDALDataset& from, const Chosen& plan, const std::vector<std::
   }
   for (const std::string& layer : layers)
     report.layers.push_back({layer, copy_layer(stored(from, layer), *file, way, report.shortened)});
-}
-
-void require_tolerance(double tolerance_m) {
-  constexpr double kMost_m = 10;
-  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
-    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
 }
 
 /// Layers hand out the rows of that field only, from now on.

@@ -1,8 +1,12 @@
 #include "tramline/io/export/thinned_line.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <cstddef>
 #include <utility>
+
+#include "tramline/geometry/error.h"
 
 namespace tramline::io {
 namespace {
@@ -44,6 +48,12 @@ std::vector<Point> thinned(const std::vector<Point>& line, double tolerance_m) {
   for (std::size_t i = 0; i < line.size(); ++i)
     if (kept[i]) out.push_back(line[i]);
   return out;
+}
+
+void require_tolerance(double tolerance_m) {
+  constexpr double kMost_m = 10;
+  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
+    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
 }
 
 }  // namespace tramline::io

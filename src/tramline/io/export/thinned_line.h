@@ -12,4 +12,7 @@ namespace tramline::io {
 /// stays closed. Frame: local metres. Precondition: tolerance_m >= 0. O(n log n) as a rule, O(n²) at worst.
 std::vector<Point> thinned(const std::vector<Point>& line, double tolerance_m);
 
+/// Throws Error(kBadInput) where a tolerance typed by the user is not from 0 to 10 m.
+void require_tolerance(double tolerance_m);
+
 }  // namespace tramline::io

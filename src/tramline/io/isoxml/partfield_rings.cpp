@@ -18,18 +18,11 @@ constexpr std::string_view kBoundary = "1", kMainField = "9", kExterior = "1", k
 
 bool is_obstacle(std::string_view type) { return type == "3" || type == "4" || type == "6"; }
 
-/// The points of a line string; nullopt where one of them is not a point.
+/// The points of a line string as a ring; nullopt where one of them is not a point.
 std::optional<RawRing> ring_of(const pugi::xml_node& line, std::string& fault) {
-  RawRing out;
-  for (const pugi::xml_node point : line.children("PNT")) {
-    const auto lat = number_in(point.attribute("C").value()), lon = number_in(point.attribute("D").value());
-    const std::string wrong = lat && lon ? fault_of_lonlat({*lon, *lat}) : "no position";
-    if (!wrong.empty()) {
-      fault = fmt::format("point {} of a ring: {}", out.points.size() + 1, wrong);
-      return std::nullopt;
-    }
-    out.points.push_back({*lon, *lat});
-  }
+  auto points = points_of(line, "a ring", fault);
+  if (!points) return std::nullopt;
+  RawRing out{*std::move(points)};
   out.closed = out.points.size() > 1 && out.points.front() == out.points.back();
   if (out.closed) out.points.pop_back();
   if (out.points.size() < 3) {
@@ -84,6 +77,21 @@ RawFeature feature_of(const RawLayer& layer, const std::string& id) {
 }
 
 }  // namespace
+
+std::optional<std::vector<Point>> points_of(const pugi::xml_node& line, const char* what,
+                                            std::string& fault) {
+  std::vector<Point> out;
+  for (const pugi::xml_node point : line.children("PNT")) {
+    const auto lat = number_in(point.attribute("C").value()), lon = number_in(point.attribute("D").value());
+    const std::string wrong = lat && lon ? fault_of_lonlat({*lon, *lat}) : "no position";
+    if (!wrong.empty()) {
+      fault = fmt::format("point {} of {}: {}", out.size() + 1, what, wrong);
+      return std::nullopt;
+    }
+    out.push_back({*lon, *lat});
+  }
+  return out;
+}
 
 RawDataset empty_partfields(const std::string& file) {
   RawDataset out;

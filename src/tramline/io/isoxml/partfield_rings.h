@@ -1,7 +1,9 @@
 #pragma once
 // Partfields of a task set (PFD, PLN, LSG, PNT) as polygons.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tramline/model/raw_feature.h"
 
@@ -10,6 +12,10 @@ class xml_node;
 }
 
 namespace tramline::io {
+
+/// The positions of a line string, longitude and latitude; nullopt where one is none, with the reason in
+/// `fault`, which calls the line `what`: "a ring".
+std::optional<std::vector<Point>> points_of(const pugi::xml_node& line, const char* what, std::string& fault);
 
 /// A dataset with the two layers "partfields" and "obstacles", both in WGS 84 and empty.
 RawDataset empty_partfields(const std::string& file);

@@ -227,6 +227,12 @@ LogJob job_of(std::vector<DecodedLog> logs, const TaskData& tasks) {
   return out;
 }
 
+/// What could not be read, for messages: " (what: why)", or nothing.
+std::string first_skipped(const RawDataset& dataset) {
+  if (dataset.skipped.empty()) return "";
+  return " (" + dataset.skipped.front().what + ": " + dataset.skipped.front().why + ")";
+}
+
 }  // namespace
 
 WorkLog decode_time_log(std::string_view header_xml, std::string_view bytes,
@@ -275,9 +281,15 @@ std::vector<LogEntry> list_task_logs(const std::string& path) {
 RawDataset read_partfields(const std::string& path) {
   RawDataset out = read_task_data(TaskFiles::open(path)).partfields;
   if (out.layers.empty() || out.layers.front().name != "partfields")
-    throw bad_input(fmt::format(
-        "'{}' has no partfield with a boundary{}", path,
-        out.skipped.empty() ? "" : " (" + out.skipped.front().what + ": " + out.skipped.front().why + ")"));
+    throw bad_input(fmt::format("'{}' has no partfield with a boundary{}", path, first_skipped(out)));
+  return out;
+}
+
+RawDataset read_guidance(const std::string& path) {
+  RawDataset out = read_task_data(TaskFiles::open(path)).guidance;
+  if (out.layers.empty())
+    throw bad_input(
+        fmt::format("'{}' has no guidance line that tracks could follow{}", path, first_skipped(out)));
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/xml_budget.h"
+#include "tramline/io/isoxml/guidance_lines.h"
 #include "tramline/io/isoxml/partfield_rings.h"
 
 namespace tramline::io {
@@ -80,7 +81,9 @@ void read_top_level(const pugi::xml_node& root, const std::string& file, TaskDat
     const std::string_view name = node.name();
     if (name == "DVC") read_device(node, out);
     if (name == "TSK") read_task(node, out);
-    if (name == "PFD") add_partfield(node, file, out.partfields);
+    if (name != "PFD") continue;
+    add_partfield(node, file, out.partfields);
+    add_guidance(node, file, out.guidance);
   }
 }
 
@@ -95,6 +98,7 @@ void drop_empty_layers(RawDataset& dataset) {
 TaskData parse_task_data(std::string_view xml, const ExternalFile& external, const std::string& path) {
   TaskData out;
   out.partfields = empty_partfields(path);
+  out.guidance = empty_guidance(path);
   const std::string place = fmt::format("'{}'", path);
   const auto document = parse(xml, place + ": TASKDATA.XML");
   const pugi::xml_node root = document->child("ISO11783_TaskData");
@@ -112,6 +116,7 @@ TaskData parse_task_data(std::string_view xml, const ExternalFile& external, con
     read_top_level(part->first_child(), path, out);
   }
   drop_empty_layers(out.partfields);
+  drop_empty_layers(out.guidance);
   return out;
 }
 

@@ -38,6 +38,7 @@ struct TaskData {
   std::map<std::string, std::string> device_names;  ///< designators by id
   std::vector<LogEntry> logs;                       ///< in the order of the tasks
   RawDataset partfields;  ///< layers "partfields" and "obstacles", without those that are empty
+  RawDataset guidance;    ///< layer "guidance", unless it is empty
 };
 
 /// Returns the text of an external file by its name; nullopt where there is none.

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/agopengps/field_folder.h"
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/isoxml/task_files.h"
@@ -41,6 +42,7 @@ LogFormat log_format(const std::string& path) {
   if (!std::filesystem::exists(path, error))
     throw bad_input(fmt::format("there is no file '{}'; check the path", path));
   const std::string name = lower_case(path);
+  if (FieldFolder::open(path)) return LogFormat::kAgOpenGps;
   if (std::filesystem::is_directory(path, error) || name.ends_with(".zip"))
     return TaskFiles::looks_like_one(path) ? LogFormat::kIsoxml : LogFormat::kVector;
   if (is_vector_name(name)) return LogFormat::kVector;
@@ -59,10 +61,10 @@ LogFormat log_format(const std::string& path) {
   // Text with wide characters: its reader says what to do.
   if (is_text_name(name) && (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")))
     return LogFormat::kCsv;
-  throw bad_input(
-      fmt::format("'{}' is not a known kind of log; give CSV, NMEA 0183, GPX, ISOXML, or points in a "
-                  "GeoJSON, GeoPackage or Shapefile",
-                  path));
+  throw bad_input(fmt::format(
+      "'{}' is not a known kind of log; give CSV, NMEA 0183, GPX, ISOXML, an AgOpenGPS field folder, or "
+      "points in a GeoJSON, GeoPackage or Shapefile",
+      path));
 }
 
 }  // namespace tramline::io

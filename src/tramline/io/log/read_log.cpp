@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/agopengps/sections_log.h"
 #include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/isoxml/read_task_log.h"
@@ -52,6 +53,9 @@ WorkLog read_log(const std::string& path, const LogOptions& options) {
       break;
     case LogFormat::kIsoxml:
       log = read_task_log(path, options.log);
+      break;
+    case LogFormat::kAgOpenGps:
+      log = sections_log(*FieldFolder::open(path));
       break;
     case LogFormat::kVector:
       log = read_vector_log(path, options.log, options.columns, options.crs);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/machine/read_flight.h"
 #include "tramline/model/limits.h"
 #include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
@@ -77,6 +78,7 @@ std::vector<std::string_view> known_keys() {
   out.insert(out.end(), {kReverseKey, kImplementKey, kOperationKey});
   for (const TurningNumber& number : kTurningNumbers) out.emplace_back(number.key);
   for (const RateNumber& number : kRateNumbers) out.emplace_back(number.key);
+  out.insert(out.end(), kFlightKeys.begin(), kFlightKeys.end());
   return out;
 }
 
@@ -156,7 +158,45 @@ Turning turning_in(const Source& source, Operation operation) {
   return out;
 }
 
+/// A number between two limits; nullopt where the key is missing.
+std::optional<double> number_within(const Source& source, const char* key, double least, double most) {
+  const toml::node* node = source.table.get(key);
+  if (node == nullptr) return std::nullopt;
+  const double value = node->is_number() ? node->value<double>().value_or(std::nan("")) : std::nan("");
+  if (!(value >= least && value <= most))
+    refuse(source, node->source(), fmt::format("{} must be a number from {:g} to {:g}", key, least, most));
+  return value;
+}
+
+Landing landing_in(const Source& source) {
+  const toml::node* node = source.table.get("landing");
+  if (node == nullptr) return Landing::kHome;
+  const std::string word = node->value<std::string>().value_or("");
+  if (word != "home" && word != "end")
+    refuse(source, node->source(), "landing must be \"home\" or \"end\", with the quotes");
+  return word == "home" ? Landing::kHome : Landing::kEnd;
+}
+
 }  // namespace
+
+std::optional<Flight> read_flight(const std::filesystem::path& path) {
+  constexpr double kLowest_m = 0.5, kHighest_m = 1500, kServos = 32;
+  const Source source = parse(path);
+  refuse_unknown_keys(source);
+  Flight out;
+  out.landing = landing_in(source);
+  if (const auto servo = number_within(source, "spray_servo", 1, kServos)) {
+    if (*servo != std::floor(*servo))
+      refuse(source, source.table.get("spray_servo")->source(), "spray_servo must be a whole number");
+    out.spray_servo = static_cast<int>(*servo);
+  }
+  const auto altitude = number_within(source, "flight_altitude_m", kLowest_m, kHighest_m);
+  const auto takeoff = number_within(source, "takeoff_altitude_m", kLowest_m, kHighest_m);
+  if (!altitude) return std::nullopt;
+  out.altitude_m = *altitude;
+  out.takeoff_altitude_m = takeoff.value_or(*altitude);
+  return out;
+}
 
 Machine read_machine(const std::filesystem::path& path) {
   const Source source = parse(path);

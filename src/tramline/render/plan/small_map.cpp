@@ -48,11 +48,15 @@ double small_map_height(const Box& drawn_m, double width_px) {
 }
 
 double small_map_scale(const Box& drawn_m, const Box& map_px, double k) {
-  return 1 / view_of(drawn_m, map_px, kMapPadding * k).px_per_m;
+  return 1 / small_map_view(drawn_m, map_px, k).px_per_m;
+}
+
+MapView small_map_view(const Box& drawn_m, const Box& map_px, double k) {
+  return view_of(drawn_m, map_px, kMapPadding * k);
 }
 
 void draw_small_map(Canvas& canvas, const Plan& plan, const Box& drawn_m, const Box& map_px, double k) {
-  canvas.use(view_of(drawn_m, map_px, kMapPadding * k), kMapScale * k);
+  canvas.use(small_map_view(drawn_m, map_px, k), kMapScale * k);
   draw_ground(canvas, plan);
   draw_swaths(canvas, plan);
   draw_obstacles(canvas, plan);

@@ -21,6 +21,9 @@ double small_map_height(const Box& drawn_m, double width_px);
 /// How many metres of the field are a pixel of a map of this size.
 double small_map_scale(const Box& drawn_m, const Box& map_px, double k);
 
+/// Where draw_small_map() puts a point of the field.
+MapView small_map_view(const Box& drawn_m, const Box& map_px, double k);
+
 /// Draws the plan into a box of the page, px: draw_plan()'s layers without numbers and arrow heads, for which
 /// small maps have no room. `drawn_m` fills the box. `k` is the text scale of the page, which the canvas uses
 /// again afterwards.

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "tramline/geometry/error.h"
+#include "tramline/render/page/a4.h"
 #include "tramline/render/page/canvas.h"
 #include "tramline/render/page/text.h"
 #include "tramline/render/plan/draw_plan.h"
@@ -11,16 +12,14 @@
 namespace tramline::render {
 namespace {
 
-// A4 upright, at the half point per pixel of PDF pages.
-constexpr int kWidth_px = 1190, kHeight_px = 1684;
-constexpr double kMargin = 70, kTitle = 34, kRow = 34, kGap = 14;
+constexpr double kTableTitle = 34, kTableRow = 34, kColumnGap = 14;
 constexpr double kTextSize_px = 19, kTitleSize_px = 30;
 
 /// A table on pages of A4, from the top of the first to the end of its last row.
 class TablePages {
  public:
   explicit TablePages(const Table& table)
-      : table_(table), canvas_(PictureFormat::kPdf, kWidth_px, kHeight_px) {
+      : table_(table), canvas_(PictureFormat::kPdf, kA4Width_px, kA4Height_px) {
     find_columns();
   }
 
@@ -28,12 +27,12 @@ class TablePages {
     heading();
     head();
     for (const std::vector<std::string>& row : table_.rows) {
-      if (y_ + kRow > kHeight_px - kMargin) next_page();
+      if (y_ + kTableRow > kA4Height_px - kA4Margin) next_page();
       cells(row, style_of(false));
     }
     rule();
     for (const std::vector<std::string>& row : table_.sums) {
-      if (y_ + kRow > kHeight_px - kMargin) next_page();
+      if (y_ + kTableRow > kA4Height_px - kA4Margin) next_page();
       cells(row, style_of(true));
     }
     return canvas_.finish();
@@ -48,25 +47,25 @@ class TablePages {
     const auto widen = [this](const std::vector<std::string>& row, bool bold) {
       assert(row.size() == widths_.size());
       for (std::size_t i = 0; i < row.size(); ++i)
-        widths_[i] = std::max(widths_[i], text_width(canvas_, row[i], style_of(bold)) + kGap);
+        widths_[i] = std::max(widths_[i], text_width(canvas_, row[i], style_of(bold)) + kColumnGap);
     };
     widen(table_.head, true);
     for (const auto& row : table_.rows) widen(row, false);
     for (const auto& row : table_.sums) widen(row, true);
     double all = 0;
     for (const double width : widths_) all += width;
-    const double room = kWidth_px - 2 * kMargin;
+    const double room = kA4Width_px - 2 * kA4Margin;
     widths_.front() = std::max(4 * kTextSize_px, widths_.front() + room - all);
   }
 
   void heading() {
-    y_ = kMargin;
-    draw_text(canvas_, {kMargin, y_}, printable(table_.title), {kTitleSize_px, true});
-    y_ += kTitle;
+    y_ = kA4Margin;
+    draw_text(canvas_, {kA4Margin, y_}, printable(table_.title), {kTitleSize_px, true});
+    y_ += kTableTitle;
     const TextStyle small{kTextSize_px};
-    draw_text(canvas_, {kMargin, y_},
-              fitted(canvas_, printable(table_.subtitle), small, kWidth_px - 2 * kMargin), small);
-    y_ += kTitle;
+    draw_text(canvas_, {kA4Margin, y_},
+              fitted(canvas_, printable(table_.subtitle), small, kA4Width_px - 2 * kA4Margin), small);
+    y_ += kTableTitle;
   }
 
   void head() {
@@ -76,28 +75,28 @@ class TablePages {
 
   void next_page() {
     cairo_show_page(canvas_.cr());
-    y_ = kMargin;
+    y_ = kA4Margin;
     head();
   }
 
   void rule() {
-    const double at = y_ - 0.5 * kRow + 4;
-    stroke_line(canvas_, {{kMargin, at}, {kWidth_px - kMargin, at}}, {kInk, 1.5});
+    const double at = y_ - 0.5 * kTableRow + 4;
+    stroke_line(canvas_, {{kA4Margin, at}, {kA4Width_px - kA4Margin, at}}, {kInk, 1.5});
     y_ += 10;
   }
 
   /// The first two columns are names, the others numbers.
   void cells(const std::vector<std::string>& row, const TextStyle& style) {
-    double x = kMargin;
+    double x = kA4Margin;
     for (std::size_t i = 0; i < row.size(); ++i) {
       TextStyle own = style;
       own.align = i < 2 ? Align::kLeft : Align::kRight;
-      const double width = widths_[i] - kGap;
+      const double width = widths_[i] - kColumnGap;
       draw_text(canvas_, {i < 2 ? x : x + widths_[i], y_}, fitted(canvas_, printable(row[i]), own, width),
                 own);
       x += widths_[i];
     }
-    y_ += kRow;
+    y_ += kTableRow;
   }
 
   const Table& table_;

@@ -1,0 +1,24 @@
+#pragma once
+// The plane of AgOpenGPS: metres east and north of the point where a field was started.
+
+#include "tramline/geometry/point.h"
+
+namespace tramline::io {
+
+/// Metres for degrees by series in the latitude: that of a degree of latitude at the start, that of a degree
+/// of longitude at the point itself. Not a projection with true lengths: over 2 km it deviates by centimetres
+/// from one, which cancel where the same series lead back.
+class LocalPlane {
+ public:
+  /// `start`: longitude and latitude of (0, 0), degrees on WGS 84. Precondition: not at a pole.
+  explicit LocalPlane(Point start_lonlat);
+
+  Point to_plane(Point lonlat) const;
+  Point to_lonlat(Point metres) const;
+
+ private:
+  Point start_;
+  double latitude_degree_m_;
+};
+
+}  // namespace tramline::io
