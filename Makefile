@@ -123,7 +123,7 @@ DEMO_ONLY = grep -qs '^TRAMLINE_SERVER:.*=OFF' $(RELEASE)/CMakeCache.txt
 
 .PHONY: whole
 whole: $(RELEASE)/build.ninja
-	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
+	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_PYTHON=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
 
 .PHONY: program
 program: packages whole
