@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asked.h"
+#include "batch_binding.h"
 #include "features.h"
 #include "interruptible.h"
 #include "keywords_in.h"
@@ -149,6 +150,7 @@ PYBIND11_MODULE(_core, module) {
   declare_comparison(module);
   declare_evaluation(module);
   declare_judgements(module);
+  declare_batch(module);
   module.attr("version") = TRAMLINE_VERSION;
 }
 
