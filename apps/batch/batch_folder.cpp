@@ -78,7 +78,8 @@ void BatchFolder::tidy() const {
   std::vector<fs::path> left;
   for (const char* folder : {".", "chunks"})
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / folder, ignored))
-      if (entry.path().filename().string().starts_with('.') && entry.path().extension() == ".partial")
+      if (entry.path().filename().string().starts_with('.') &&
+          (entry.path().extension() == ".part" || entry.path().extension() == ".partial"))
         left.push_back(entry.path());
   for (const fs::path& file : left) fs::remove(file, ignored);
 }

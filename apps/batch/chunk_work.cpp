@@ -13,7 +13,7 @@
 #include "report/report_parts.h"
 #include "request/field_key.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/plan/write_plan_list.h"
+#include "tramline/io/plan/write_plans.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline::app {
@@ -70,7 +70,7 @@ void write_plans_of(const std::vector<io::KeyedPlan>& plans, const BatchFolder& 
     else
       part->push_back(plan);
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) io::write_plan_list(parts[i], folder.plans_of(chunk, i));
+  for (std::size_t i = 0; i < parts.size(); ++i) io::write_plans(parts[i], folder.plans_of(chunk, i));
 }
 
 FieldInput input_of(const ChunkRequest& request, RawDataset features) {

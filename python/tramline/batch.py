@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import logging
 import sys
 import time
 from collections import deque
@@ -139,6 +140,8 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--json", action="store_true", help="print the sums as JSON")
     parser.add_argument("--quiet", action="store_true", help="print neither progress nor sums")
     own, words = parser.parse_known_args(arguments)
+    # What is lost is said in one sentence below.
+    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
     try:
         sums = run(words, own.scheduler, own.workers, own.quiet)
     except (InputError, RunError) as fault:

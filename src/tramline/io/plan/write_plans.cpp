@@ -22,7 +22,6 @@
 #include "tramline/io/plan/plan_styles.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/route_rows.h"
-#include "tramline/io/plan/write_plan_list.h"
 
 namespace tramline::io {
 namespace {
@@ -130,7 +129,7 @@ void write_plans(const std::vector<KeptPlan>& plans, const fs::path& path) {
   file.keep();
 }
 
-void write_plan_list(const std::vector<KeyedPlan>& plans, const fs::path& path) {
+void write_plans(const std::vector<KeyedPlan>& plans, const fs::path& path) {
   assert(!plans.empty());
   std::vector<LocalFrame> frames;
   for (const KeyedPlan& plan : plans) frames.push_back(plan.plan->field.frame);
