@@ -191,8 +191,7 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
 
 PriceInput price_input(const LinesOptions& lines, const FieldOptions& field, const PlanOptions& plan) {
   const bool whole_file = lines.in_memory == nullptr && lines.layer.empty() && lines.where.empty();
-  if (whole_file && io::is_plan_file(lines.file))
-    return input_of_plan(lines.file, field, plan);
+  if (whole_file && io::is_plan_file(lines.file)) return input_of_plan(lines.file, field, plan);
   return input_of_lines(lines, field, plan);
 }
 

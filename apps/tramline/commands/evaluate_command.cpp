@@ -172,8 +172,10 @@ class EvaluateCommand : public Command {
     for (const std::string& file : with_files_) with.push_back(io::read_plan(file));
     ProgressLine progress(quiet_);
     const coverage::FixProgress show = shown_by(progress, read.name);
-    const std::optional<NamedPlan> compared = plan ? std::optional<NamedPlan>({*plan, plan_file_}) : std::nullopt;
-    Evaluation out = evaluation_of_drive(std::move(read), std::move(ground), {compared, with}, settings(), show);
+    const std::optional<NamedPlan> compared =
+        plan ? std::optional<NamedPlan>({*plan, plan_file_}) : std::nullopt;
+    Evaluation out =
+        evaluation_of_drive(std::move(read), std::move(ground), {compared, with}, settings(), show);
     out.with = with_files_;
     return out;
   }

@@ -297,13 +297,14 @@ class PlanCommand : public Command {
     if (front_) {
       plan_with_front(field, settings, progress, out);
     } else if (explain_) {
-      ExplainedPlan both =
-          plan_and_explain(field, asked_.machine(), asked_.objective(), settings, threads_, shown(field, progress));
+      ExplainedPlan both = plan_and_explain(field, asked_.machine(), asked_.objective(), settings, threads_,
+                                            shown(field, progress));
       out.plan = std::move(both.plan);
       out.why = std::move(both.why);
       out.routes = std::move(both.routes);
     } else {
-      out.plan = plan_field(field, asked_.machine(), asked_.objective(), settings, threads_, shown(field, progress));
+      out.plan =
+          plan_field(field, asked_.machine(), asked_.objective(), settings, threads_, shown(field, progress));
     }
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
-
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/choose_layers.h"
 #include "tramline/io/vector/gdal_drivers.h"
