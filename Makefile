@@ -123,7 +123,7 @@ DEMO_ONLY = grep -qs '^TRAMLINE_SERVER:.*=OFF' $(RELEASE)/CMakeCache.txt
 
 .PHONY: whole
 whole: $(RELEASE)/build.ninja
-	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
+	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_PYTHON=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
 
 .PHONY: program
 program: packages whole
@@ -136,7 +136,8 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
   long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
-  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
+  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-batch long-batch-dask long-registers \
+  long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
@@ -243,6 +244,13 @@ long-watch: packages-test build ## `tramline watch` killed at 20 random moments 
 
 long-serve: program ## ten minutes of a live feed at 50 Hz before `tramline serve`, with readers: its memory stays as it is
 	$(LIMIT) tests/server/soak/serve_soak.py --tramline $(TRAMLINE) --seconds 600 --hertz 50
+
+long-batch: program ## `tramline batch` killed at 60 random moments and resumed: the same bytes as without
+	TRAMLINE_KILLS=60 $(LIMIT) tests/cli/batch_test.py $(TRAMLINE)
+
+long-batch-dask: packages-test build ## 100,000 fields on Dask, workers killed five times and the scheduler once: the bytes of `tramline batch`
+	PYTHONPATH=$(RELEASE)/python $(LIMIT) /usr/bin/python3 -B python/tests/kills/batch_kills.py --tramline $(TRAMLINE) \
+	  --parcels $(TRAMLINE_DATA)/fields/fields-all.geojson --fields 100000 --kills 5
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost

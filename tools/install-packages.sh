@@ -9,9 +9,9 @@ program_packages=(
   libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
   fonts-dejavu-core
 )
-# The rest of what is built: server, page, tests and benchmarks.
+# The rest of what is built: server, page, Python package, tests and benchmarks.
 build_packages=(
-  libcpp-httplib-dev
+  libcpp-httplib-dev pybind11-dev python3-dev
   libgtest-dev libbenchmark-dev libompl-dev coinor-libcbc-dev
   gdal-bin python3 sqlite3 zip
 )
@@ -21,6 +21,8 @@ command -v node >/dev/null || build_packages+=(nodejs)
 command -v npm >/dev/null || build_packages+=(npm)
 # Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page, the others read routes.
 test_packages=(gpsd gpsd-clients chromium gpsbabel python3-yaml python3-jsonschema)
+# The Python package is tested with what its users have beside it.
+test_packages+=(python3-pytest python3-hypothesis python3-geopandas python3-shapely python3-distributed mypy)
 # What `make layout` and `make format` need: the quick part of `make lint`.
 layout_packages=(clang-format-14 shellcheck)
 # What `make lint` and the long tests need besides.

@@ -138,6 +138,11 @@ io::VectorQuery query_of(const FieldOptions& options) {
   return query;
 }
 
+/// The features that are there already, or those of the file.
+RawDataset features_of(const FieldOptions& options, const io::VectorQuery& query) {
+  return options.in_memory ? *options.in_memory : io::read_fields(query);
+}
+
 [[noreturn]] void refuse_several(const FieldOptions& options, const RawDataset& dataset) {
   FieldOptions bare = options;
   bare.obstacles_file.clear();
@@ -172,7 +177,7 @@ io::VectorQuery query_of(const FieldOptions& options) {
 
 /// The field of --id, or with --all all that are called so.
 FieldInput load_named(const FieldOptions& options) {
-  const RawDataset dataset = io::read_fields(query_of(options));
+  const RawDataset dataset = features_of(options, query_of(options));
   Admitter admitter(options, dataset);
   admitter.admit_all();
   admitter.keep_named();
@@ -193,7 +198,7 @@ FieldInput load_fields(const FieldOptions& options) {
   if (!options.id.empty()) return load_named(options);
   io::VectorQuery query = query_of(options);
   if (!options.all) query.limit = kListed;
-  const RawDataset dataset = io::read_fields(query);
+  const RawDataset dataset = features_of(options, query);
   const RawLayer& layer = dataset.layers.front();
   if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);
   Admitter admitter(options, dataset);
@@ -208,7 +213,7 @@ FieldInput survey_fields(const FieldOptions& options, long long limit) {
   if (!options.id.empty()) return load_named(options);
   io::VectorQuery query = query_of(options);
   query.limit = limit;
-  const RawDataset dataset = io::read_fields(query);
+  const RawDataset dataset = features_of(options, query);
   Admitter admitter(options, dataset);
   admitter.admit_all();
   return admitter.finish();
@@ -221,7 +226,7 @@ Field load_field(const FieldOptions& options, const FieldSource& source) {
   // GeoJSON and Shapefile layers are called like their file, which may have been renamed.
   query.layer_is_hint = options.layer.empty();
   query.fid = source.fid;
-  const RawDataset dataset = io::read_fields(query);
+  const RawDataset dataset = features_of(options, query);
   Admitter admitter(options, dataset);
   admitter.admit(dataset.layers.front().features.front());
   FieldInput input = admitter.finish();

@@ -1,6 +1,7 @@
 #pragma once
 // Selection of fields by the user's options, and the selected fields.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ struct FieldOptions {
   std::optional<long long> fid{};  ///< only the feature with this number
   bool all = false;
   double obstacle_size_m = 7;
+  /// Features that are there already; `file` is what messages call them, and none is read. One layer, with at
+  /// least one feature. `layer`, `where` and `fid` are of no account then.
+  std::shared_ptr<const RawDataset> in_memory{};
 };
 
 /// A feature that cannot be planned.

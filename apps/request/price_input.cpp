@@ -170,7 +170,7 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
   query.shapes = io::WantedShapes::kLines;
   query.attributes = columns_of_lines();
   const std::string& crs = out.field.source.input_crs;
-  DrawnLines drawn = read_lines(io::read_vector(query), crs);
+  DrawnLines drawn = read_lines(lines.in_memory ? *lines.in_memory : io::read_vector(query), crs);
   for (Skipped& left_aside : drawn.skipped) out.skipped.push_back(std::move(left_aside));
   DrawnOnly as_drawn;
   for (const DrawnLine& line : drawn.lines) {
@@ -190,8 +190,8 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
 }  // namespace
 
 PriceInput price_input(const LinesOptions& lines, const FieldOptions& field, const PlanOptions& plan) {
-  if (lines.layer.empty() && lines.where.empty() && io::is_plan_file(lines.file))
-    return input_of_plan(lines.file, field, plan);
+  const bool whole_file = lines.in_memory == nullptr && lines.layer.empty() && lines.where.empty();
+  if (whole_file && io::is_plan_file(lines.file)) return input_of_plan(lines.file, field, plan);
   return input_of_lines(lines, field, plan);
 }
 

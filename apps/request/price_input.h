@@ -1,6 +1,7 @@
 #pragma once
 // Lines that somebody else drew or planned, with the field and the machine to price them for.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace tramline::app {
 /// The options as typed; empty where the user gave none.
 struct LinesOptions {
   std::string file, layer, where;
+  /// Lines that are there already; `file` is what messages call them, and none is read.
+  std::shared_ptr<const RawDataset> in_memory{};
 };
 
 struct PriceInput {

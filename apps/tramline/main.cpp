@@ -26,10 +26,10 @@ using Parsers = std::vector<CLI::App*>;
 std::vector<std::unique_ptr<Command>> all_commands() {
   using namespace tramline::app;
   std::vector<std::unique_ptr<Command>> out;
-  for (const auto make :
-       {make_plan_command, make_map_command, make_compare_command, make_farm_command, make_price_command,
-        make_turns_command, make_evaluate_command, make_repair_command, make_watch_command, make_dose_command,
-        make_info_command, make_check_command, make_export_command, make_serve_command})
+  for (const auto make : {make_plan_command, make_map_command, make_compare_command, make_farm_command,
+                          make_batch_command, make_price_command, make_turns_command, make_evaluate_command,
+                          make_repair_command, make_watch_command, make_dose_command, make_info_command,
+                          make_check_command, make_export_command, make_serve_command})
     out.push_back(make());
   return out;
 }

@@ -20,3 +20,12 @@ if(NOT output STREQUAL "tracks: 10\n")
   message(FATAL_ERROR "the consumer should have planned 10 tracks; it said:\n${output}")
 endif()
 run("${WORK}/stage/bin/tramline" check "${WORK}/plan.gpkg")
+
+# The lines of Python that the README shows, with the package that was installed and no other.
+if(PYTHON)
+  file(GLOB package "${WORK}/stage/lib/python*/*-packages")
+  file(COPY "${ROOT}/examples" DESTINATION "${WORK}/python")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${package}"
+                          "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/readme_lines.py" "${ROOT}/README.md"
+                  WORKING_DIRECTORY "${WORK}/python" COMMAND_ERROR_IS_FATAL ANY)
+endif()

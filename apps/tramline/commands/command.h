@@ -21,6 +21,7 @@ std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_farm_command();
+std::unique_ptr<Command> make_batch_command();
 std::unique_ptr<Command> make_price_command();
 std::unique_ptr<Command> make_evaluate_command();
 std::unique_ptr<Command> make_repair_command();

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +17,11 @@
 #include "output/progress.h"
 #include "output/result_output.h"
 #include "report/evaluate_report.h"
+#include "report/evaluations.h"
 #include "report/report_parts.h"
 #include "request/evaluate_input.h"
 #include "request/log_jobs.h"
 #include "request/output_names.h"
-#include "request/plan_and_done.h"
-#include "tramline/coverage/drive/plan_steps.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/write_coverage.h"
@@ -108,7 +106,7 @@ class EvaluateCommand : public Command {
     if (!plan_file_.empty()) plan = io::read_plan(plan_file_);
     if (log_file_.empty()) {
       const auto start = std::chrono::steady_clock::now();
-      Evaluation evaluation = plan_alone(*plan);
+      Evaluation evaluation = evaluation_of_plan(*plan, plan_file_, settings());
       finish(evaluation, start);
       write(evaluation, output_, picture_);
       print(evaluation);
@@ -162,36 +160,6 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  /// The drive of a plan, headland passes too, over the ground it has to cover: the field less its obstacles,
-  /// or what a repair is for. The figures of plans of earlier versions are of the tracks and the body alone.
-  Evaluation plan_alone(const Plan& plan) const {
-    Evaluation out;
-    const bool tracks_alone = plan.figures == PlanFigures::kTracks;
-    const Region land = !plan.worked.empty() || tracks_alone ? plan.body : work_ground(plan).ground;
-    out.coverage = coverage::evaluate(tracks_alone ? coverage::plan_steps(plan) : coverage::steps_of(plan),
-                                      plan.machine.width_m, land, settings());
-    out.coverage.lines = lines_of(plan, tracks_alone);
-    out.coverage.field_id = plan.field.id;
-    out.coverage.field = land;
-    out.coverage.frame = plan.field.frame;
-    out.tally = PlanTally{plan_file_, area(land), area(plan.body), plan.tally};
-    return out;
-  }
-
-  /// The way that the plan plans, a run for each piece and headland pass, and the other ways of its route.
-  static std::vector<DrivenLine> lines_of(const Plan& plan, bool tracks_alone) {
-    std::vector<DrivenLine> out;
-    constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-    for (const coverage::PlanRun& run : coverage::runs_of(plan))
-      if (!tracks_alone || run.run < std::ssize(plan.pieces))
-        out.push_back({run.run, chords(run.path), kNever, kNever});
-    constexpr int kNoRun = -1;
-    for (const RouteLeg& leg : plan.route.legs)
-      if (const Path way = trace(leg.path); !leg.work && !leg.pass && !way.empty())
-        out.push_back({kNoRun, chords(way), kNever, kNever});
-    return out;
-  }
-
   /// Where the job was to work: none where neither a field nor a plan was given.
   WorkGround ground_of(const std::optional<Plan>& plan, const io::LogJob& job) const {
     if (const std::optional<WorkGround> field = work_ground(field_of_job(field_, log_file_, job)))
@@ -202,38 +170,14 @@ class EvaluateCommand : public Command {
   Evaluation drive(const std::optional<Plan>& plan, WorkLog read, WorkGround ground) const {
     std::vector<Plan> with;
     for (const std::string& file : with_files_) with.push_back(io::read_plan(file));
-    if (ground.ground.empty() && !with.empty()) ground = work_ground(with.front());
-    const std::optional<WorkLog> as_read = plan ? std::optional(read) : std::nullopt;
-    Evaluation out;
-    WorkLog placed = placed_on(std::move(read), ground);
-    out.coverage = evaluated(std::move(placed), ground.ground, work_of_all(with, ground.frame));
-    for (std::size_t i = 0; i < with.size(); ++i) out.with.push_back(with_files_[i]);
-    out.coverage.field_id = ground.field_id;
-    out.coverage.field = ground.ground;
-    out.coverage.frame = ground.frame;
-    if (plan) out.compared = compared(*plan, *as_read);
-    return out;
-  }
-
-  /// One plan after the other.
-  static coverage::FurtherWork work_of_all(const std::vector<Plan>& plans, const LocalFrame& frame) {
-    coverage::FurtherWork out;
-    for (const Plan& plan : plans) {
-      const int first = static_cast<int>(out.lines.size());
-      coverage::FurtherWork more = work_of(plan, frame);
-      for (coverage::WorkedStep& step : more.steps) {
-        step.run += first;
-        out.steps.push_back(std::move(step));
-      }
-      for (std::vector<Point>& line : more.lines) out.lines.push_back(std::move(line));
-    }
-    return out;
-  }
-
-  Coverage evaluated(WorkLog log, const Region& field, const coverage::FurtherWork& further = {}) const {
     ProgressLine progress(quiet_);
-    const coverage::FixProgress show = shown_by(progress, log.name);
-    return coverage::evaluate(std::move(log), field, settings(), show, {}, further);
+    const coverage::FixProgress show = shown_by(progress, read.name);
+    const std::optional<NamedPlan> compared =
+        plan ? std::optional<NamedPlan>({*plan, plan_file_}) : std::nullopt;
+    Evaluation out =
+        evaluation_of_drive(std::move(read), std::move(ground), {compared, with}, settings(), show);
+    out.with = with_files_;
+    return out;
   }
 
   /// `progress` has to outlive it.
@@ -241,11 +185,6 @@ class EvaluateCommand : public Command {
     return [&progress, what = "evaluating " + log](std::size_t done, std::size_t total) {
       progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
     };
-  }
-
-  PlanAndDone compared(const Plan& plan, const WorkLog& read) const {
-    ProgressLine progress(quiet_);
-    return plan_and_done(plan, plan_file_, read, settings(), shown_by(progress, read.name));
   }
 
   static void write(const Evaluation& evaluation, const std::string& output, const std::string& picture) {

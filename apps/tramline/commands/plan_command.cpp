@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,10 +22,10 @@
 #include "report/plan_report.h"
 #include "report/plan_summary.h"
 #include "report/route_report.h"
+#include "request/asked_plans.h"
 #include "request/field_key.h"
 #include "request/output_names.h"
 #include "tables/map_table_run.h"
-#include "tramline/geodesy/crs.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/planner/pareto/trade_off.h"
@@ -126,11 +125,8 @@ class PlanCommand : public Command {
     // Headlands go round whole fields.
     const bool part_only = !land_options_.only_file.empty() || !land_options_.done_files.empty();
     if (defaults_ == PlanDefaults::kWhole && !front_ && !part_only) take_whole_plan(*command_, plan_options_);
-    machine_ = machine_of(plan_options_);
-    objective_ = objective_of(plan_options_);
-    settings_ = settings_of(plan_options_);
-    validate_request(machine_, objective_, settings_);
     if (table_options_.asked()) return run_tables();
+    asked_ = AskedPlans(plan_options_);
     if (!table_options_.table_file.empty())
       throw bad_input("--table writes the table of --directions or --widths: give one of these");
     std::vector<std::string> inputs{field_options_.file,          field_options_.obstacles_file,
@@ -145,12 +141,7 @@ class PlanCommand : public Command {
       throw bad_input(
           "--resume needs --output, --picture or --zoom-obstacles: what is finished is noted beside them");
     FieldInput input = load_fields(field_options_);
-    if (!input.fields.empty()) {
-      const std::string& crs = input.fields.front().source.input_crs;
-      guide_ = guide_of(plan_options_, crs);
-      gates_ = gates_of(plan_options_, crs);
-      read_land(crs, input);
-    }
+    asked_.read_files(plan_options_, land_options_, input);
     const bool one_name = !field_options_.all && input.fields.size() == 1;
     const bool single = one_name && !wanted_.one_file && !resume_;
     PlanOutputs outputs(wanted_, input.fields, one_name ? Naming::kAsGiven : Naming::kWithId);
@@ -160,6 +151,10 @@ class PlanCommand : public Command {
  private:
   /// A table of maps for each field.
   int run_tables() {
+    machine_ = machine_of(plan_options_);
+    objective_ = objective_of(plan_options_);
+    settings_ = settings_of(plan_options_);
+    validate_request(machine_, objective_, settings_);
     require_only_tables();
     std::optional<DirectionWords> directions;
     if (!table_options_.directions.empty()) directions = direction_words(table_options_.directions);
@@ -241,23 +236,6 @@ class PlanCommand : public Command {
                        found.table.widths_m.front());
   }
 
-  void read_land(const std::string& crs, FieldInput& input) {
-    LandFiles files(land_options_, crs,
-                    input.crs_given && Crs(crs).plain() ? LandCrs::kPlain : LandCrs::kOfEachFile);
-    for (const Field& field : input.fields) given_[field_key(field)] = files.given_for(field);
-    const std::string fields = input.fields.size() == 1
-                                   ? fmt::format("field '{}'", input.fields.front().id)
-                                   : fmt::format("any of the {} fields", input.fields.size());
-    for (Skipped& skipped : files.finish(fields)) input.skipped.push_back(std::move(skipped));
-  }
-
-  PlanSettings settings_of_field(const Field& field) const {
-    PlanSettings out = settings_for(settings_, guide_, field, machine_);
-    place_gates(gates_, field, out);
-    if (const auto found = given_.find(field_key(field)); found != given_.end()) out.given = found->second;
-    return out;
-  }
-
   int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
     const InterruptEndsSearches interruptible;
     const Planned planned = plan_one(field);
@@ -295,9 +273,9 @@ class PlanCommand : public Command {
   std::string digest(const Field& field) const {
     Plan asked;
     asked.field = field;
-    asked.machine = machine_;
-    asked.objective = objective_;
-    asked.settings = settings_of_field(field);
+    asked.machine = asked_.machine();
+    asked.objective = asked_.objective();
+    asked.settings = asked_.settings_on(field);
     return digest_of(text_of(asked.settings.given) +
                      made_from_text(asked, fmt::format("{}\n{}\n{}\n{} {} {} {}", wanted_.plan,
                                                        wanted_.picture, wanted_.close_ups, wanted_.one_file,
@@ -313,19 +291,20 @@ class PlanCommand : public Command {
 
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
-    const PlanSettings settings = settings_of_field(field);
+    const PlanSettings settings = asked_.settings_on(field);
     const auto start = std::chrono::steady_clock::now();
     Planned out;
     if (front_) {
       plan_with_front(field, settings, progress, out);
     } else if (explain_) {
-      ExplainedPlan both =
-          plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
+      ExplainedPlan both = plan_and_explain(field, asked_.machine(), asked_.objective(), settings, threads_,
+                                            shown(field, progress));
       out.plan = std::move(both.plan);
       out.why = std::move(both.why);
       out.routes = std::move(both.routes);
     } else {
-      out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
+      out.plan =
+          plan_field(field, asked_.machine(), asked_.objective(), settings, threads_, shown(field, progress));
     }
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
@@ -356,7 +335,7 @@ class PlanCommand : public Command {
   /// One search for all that is asked for.
   void plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress,
                        Planned& out) const {
-    TradeOff found = trade_off(field, machine_, objective_, settings, threads_,
+    TradeOff found = trade_off(field, asked_.machine(), asked_.objective(), settings, threads_,
                                [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
                                  progress.show("comparing " + field.id, done, total, "searches");
                                  return end.demand();
@@ -373,9 +352,7 @@ class PlanCommand : public Command {
   std::optional<CommandOptions> command_;
   PlanOptions plan_options_;
   LandOptions land_options_;
-  std::map<std::string, GivenLand> given_;  ///< by field_key()
-  std::optional<GuideLine> guide_;
-  Gates gates_;
+  AskedPlans asked_;
   Tables tables_;
   PlanDefaults defaults_;
   MapTableOptions table_options_;
@@ -383,9 +360,11 @@ class PlanCommand : public Command {
   int threads_ = 0;
   std::optional<double> seconds_;
   bool explain_ = false, front_ = false, resume_ = false, json_ = false, quiet_ = false;
+  // Of a table of maps.
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;
+  std::optional<GuideLine> guide_;
 };
 
 }  // namespace

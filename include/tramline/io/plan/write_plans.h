@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tramline/model/plan.h"
+
 namespace tramline::io {
 
 /// A plan file to be included in a file of many plans.
@@ -25,5 +27,14 @@ struct KeptPlan {
 /// georeferenced, and where they lie too far apart for one plane; Error(kFailure) where the file cannot be
 /// written. Precondition: plans is not empty. O(n) in vertices.
 void write_plans(const std::vector<KeptPlan>& plans, const std::filesystem::path& path);
+
+/// A plan in memory to be included in a file of many plans.
+struct KeyedPlan {
+  std::string key;  ///< key of its field; no two are alike
+  const Plan* plan = nullptr;
+};
+
+/// The same for plans that are in no file yet. The file is made in memory.
+void write_plans(const std::vector<KeyedPlan>& plans, const std::filesystem::path& path);
 
 }  // namespace tramline::io

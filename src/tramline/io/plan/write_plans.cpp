@@ -50,24 +50,43 @@ void make_indexes(GDALDataset& file) {
         fmt::format("CREATE INDEX \"{0}_{1}\" ON \"{0}\" (\"{1}\")", table, kFieldKey).c_str(), nullptr, ""));
 }
 
+/// The rows of many plans, one after the other, and then what there is once.
+class Collection {
+ public:
+  Collection(const LocalFrame& common, const Target& file) : common_(common), file_(file) {}
+
+  void add(const std::string& key, const Plan& plan, const Metadata& remarks) {
+    const LocalFrame& frame = plan.field.frame;
+    const FieldNames names{key, plan.field.id};
+    write_plan_rows({file_.file, file_.crs, offset_of(frame), Shapes(way_between(frame, common_)), &names},
+                    plan, remarks);
+    most_subfields_ = std::max(most_subfields_, plan.subfields.size());
+    if (has_route(plan)) routes_ = Routes::kSome;
+  }
+
+  void finish() {
+    const FieldNames nobody;
+    Table metadata({file_.file, file_.crs, {}, Shapes(Point{}), &nobody}, kMetadataTable, wkbNone,
+                   {text("key"), text("value")});
+    metadata.add(nullptr, {std::string(kCollectionKey), collection_text(common_)});
+    write_styles(file_.file, styles_of_many(most_subfields_, routes_));
+    make_indexes(file_.file);
+  }
+
+ private:
+  const LocalFrame& common_;
+  const Target& file_;
+  std::size_t most_subfields_ = 0;
+  Routes routes_ = Routes::kNone;
+};
+
 void write_all(const std::vector<KeptPlan>& plans, const LocalFrame& common, const Target& file) {
-  std::size_t most_subfields = 0;
-  Routes routes = Routes::kNone;
+  Collection collection(common, file);
   for (const KeptPlan& kept : plans) {
     const PlanFile part = read_plan_file(kept.file);
-    const LocalFrame& frame = part.plan.field.frame;
-    const FieldNames names{kept.key, part.plan.field.id};
-    write_plan_rows({file.file, file.crs, offset_of(frame), Shapes(way_between(frame, common)), &names},
-                    part.plan, part.remarks);
-    most_subfields = std::max(most_subfields, part.plan.subfields.size());
-    if (has_route(part.plan)) routes = Routes::kSome;
+    collection.add(kept.key, part.plan, part.remarks);
   }
-  const FieldNames nobody;
-  Table metadata({file.file, file.crs, {}, Shapes(Point{}), &nobody}, kMetadataTable, wkbNone,
-                 {text("key"), text("value")});
-  metadata.add(nullptr, {std::string(kCollectionKey), collection_text(common)});
-  write_styles(file.file, styles_of_many(most_subfields, routes));
-  make_indexes(file.file);
+  collection.finish();
 }
 
 /// A file under way, gone unless it gets its name. What a killed run has left of one is written over.
@@ -108,6 +127,18 @@ void write_plans(const std::vector<KeptPlan>& plans, const fs::path& path) {
   if (errors.any() || !fs::exists(file.name()))
     throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
   file.keep();
+}
+
+void write_plans(const std::vector<KeyedPlan>& plans, const fs::path& path) {
+  assert(!plans.empty());
+  std::vector<LocalFrame> frames;
+  for (const KeyedPlan& plan : plans) frames.push_back(plan.plan->field.frame);
+  const LocalFrame common = common_frame(frames);
+  write_geopackage(path, kPlanFile, common, [&](const Target& file) {
+    Collection collection(common, file);
+    for (const KeyedPlan& plan : plans) collection.add(plan.key, *plan.plan, {});
+    collection.finish();
+  });
 }
 
 }  // namespace tramline::io

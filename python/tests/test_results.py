@@ -1,0 +1,135 @@
+"""Results: many fields, layers, evaluations, files that cannot be written, threads and interrupts."""
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import geopandas
+import pytest
+import shapely.geometry as sg
+import tramline
+
+PRICES = (0.02, 0.1, 1)
+FIELD = sg.Polygon([(0, 0), (260, 0), (280, 120), (0, 100)], [[(50, 50), (50, 60), (60, 60), (60, 50)]])
+
+
+def test_many_fields():
+    frame = geopandas.GeoDataFrame(
+        geometry=[sg.box(0, 0, 200, 100), sg.Point(1, 1), None, sg.box(0, 0, 300, 100)],
+        index=["north", "pole", "nothing", "south"],
+    )
+    found = tramline.plan_fields(frame, width=10, prices=PRICES, plans=True)
+    assert list(found.index) == list(frame.index)
+    assert found.error.isna().tolist() == [True, False, False, True]
+    assert "polygon" in found.error["pole"] and "no geometry" in found.error["nothing"]
+    assert found.tracks["north"] == 10 and found.area_m2["south"] == 30000
+    assert found.plan["north"].field_id == "north"
+    again = tramline.plan_fields(frame, width=10, prices=PRICES, threads=1)
+    assert again.drop(columns="geometry").equals(found.drop(columns=["geometry", "plan"]))
+
+
+def test_many_fields_of_a_file(examples):
+    found = tramline.plan_fields(examples / "two-farms.gpkg", layer="parcels", width=24, prices=PRICES)
+    assert found.crs.to_epsg() == 25832
+    # The second is a field on both sides of a lane.
+    assert found.error.isna().tolist() == [True, False, True, True] and "2 parts" in found.error[1]
+    assert found.area_m2[0] == pytest.approx(43782.0, abs=0.05)
+
+
+def test_layers_with_and_without_geopandas(monkeypatch):
+    plan = tramline.plan(FIELD, width=12, prices=PRICES)
+    frame = plan.layer("swaths")
+    assert frame.crs is None
+    monkeypatch.setitem(sys.modules, "geopandas", None)
+    for name in plan.layers:
+        features = plan.layer(name)["features"]
+        if name == "swaths":
+            assert [sg.shape(f["geometry"]).wkt for f in features] == [shape.wkt for shape in frame.geometry]
+            assert features[0]["properties"]["width_m"] == 12
+        if name == "field":
+            assert sg.shape(features[0]["geometry"]).equals(sg.Polygon(FIELD.exterior))
+    with pytest.raises(tramline.InputError, match="there is no layer 'lanes'"):
+        plan.layer("lanes")
+
+
+def test_a_plan_is_evaluated_checked_and_priced(tmp_path):
+    plan = tramline.plan(FIELD, width=12, prices=PRICES)
+    evaluation = tramline.evaluate(plan)
+    assert evaluation["missed_m2"] == pytest.approx(plan.uncovered_m2, abs=0.5)
+    assert tramline.check(plan, field=FIELD)
+    assert not tramline.check(plan, field=sg.box(0, 0, 260, 100))
+    again = tramline.price(plan)
+    assert again.overlap_m2 == pytest.approx(plan.overlap_m2, abs=0.01)
+    plan.save(tmp_path / "plan.gpkg")
+    assert tramline.read(tmp_path / "plan.gpkg")["overlap_m2"] == plan["overlap_m2"]
+
+
+def test_lines_are_priced():
+    lines = [sg.LineString([(0, 6), (200, 6)]), sg.LineString([(200, 17), (0, 17)])]
+    plan = tramline.price(lines, sg.box(0, 0, 200, 23), width=12)
+    # Two swaths of 12 m with their middles 11 m apart cover 23 m, one metre of it twice.
+    assert plan.overlap_m2 == pytest.approx(200, abs=0.01)
+    assert plan.uncovered_m2 == pytest.approx(0, abs=0.01)
+
+
+def test_comparison():
+    found = tramline.compare(FIELD, width=12)
+    assert len(found) == len(found.points) > 1
+    for a in found.points:
+        for b in found.points:
+            keys = ("overlap_m2", "uncovered_m2", "turns", "stops")
+            assert a is b or any(a[key] < b[key] for key in keys)
+
+
+def test_pictures():
+    plan = tramline.plan(FIELD, width=12, prices=PRICES)
+    assert plan._repr_html_().lstrip().startswith("<?xml") and "9" in repr(plan)
+    assert "<svg" in tramline.evaluate(plan)._repr_html_()
+
+
+def test_a_file_that_cannot_be_written(tmp_path):
+    plan = tramline.plan(FIELD, width=12, prices=PRICES)
+    with pytest.raises(tramline.InputError, match="gpkg"):
+        plan.save(tmp_path / "plan.txt")
+    with pytest.raises(tramline.RunError):
+        plan.save(tmp_path / "missing" / "plan.gpkg")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_other_threads_go_on_meanwhile():
+    """A plan begun on one thread ends only once another has told it to: without the lock both would wait."""
+    begun, go_on = threading.Event(), threading.Event()
+
+    def progress(done, total):
+        begun.set()
+        return go_on.is_set() or None
+
+    thread = threading.Thread(target=lambda: begun.wait() and go_on.set())
+    thread.start()
+    tramline.plan(FIELD, width=3, prices=PRICES, progress=progress)
+    thread.join(10)
+    assert go_on.is_set()
+
+
+def test_progress_ends_a_search():
+    assert tramline.plan(FIELD, width=3, prices=PRICES, progress=lambda done, total: False).cut_short
+
+
+def test_an_exception_of_progress_is_raised():
+    def fail(done, total):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        tramline.plan(FIELD, width=3, prices=PRICES, progress=fail)
+
+
+def test_ctrl_c(tmp_path):
+    code = "import tramline\nprint('begun', flush=True)\nwhile True: tramline.plan('POLYGON((0 0,500 0,620 410,0 300,0 0))', width=2)"
+    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run.stdout.readline()
+    time.sleep(0.3)
+    run.send_signal(signal.SIGINT)
+    _, said = run.communicate(timeout=60)
+    assert "KeyboardInterrupt" in said
