@@ -1,7 +1,7 @@
 // A field and an obstacle drawn on the map, with the pointer and by numbers.
 import assert from 'node:assert/strict';
 import { flow } from './support/flow.mjs';
-import { clickMap, drawn, figure, goTo, makePlan, panel } from './support/page.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, panel, planTracks } from './support/page.mjs';
 
 flow('draw a field and an obstacle, then plan', {}, async ({ page }) => {
   await page.getByRole('button', { name: 'Draw a field' }).click();
@@ -21,7 +21,7 @@ flow('draw a field and an obstacle, then plan', {}, async ({ page }) => {
   await page.getByText('1 obstacle').first().waitFor();
   assert.ok((await drawn(page, 'obstacle')) > 0);
 
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const tracks = await figure(page, 'Tracks');
   // 154 m across, 6 m wide: 26 tracks, and one or two more where the obstacle parts them.

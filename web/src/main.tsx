@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
+import { followWidth } from './actions/rates';
 import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';
@@ -16,4 +17,5 @@ addEventListener('drop', (event) => {
 });
 watchServer(() => void comeBack());
 planAtChanges();
+followWidth();
 void start();

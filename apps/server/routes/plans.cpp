@@ -9,6 +9,7 @@
 #include "server/http/page_words.h"
 #include "server/input/json_input.h"
 #include "server/map/detour_layer.h"
+#include "server/map/outside_layer.h"
 #include "server/map/plan_layer_list.h"
 #include "server/map/shown_place.h"
 #include "server/routes/routes.h"
@@ -19,6 +20,11 @@ namespace tramline::server {
 namespace {
 
 using nlohmann::ordered_json;
+
+ordered_json route_of(const KeptPlan& plan) {
+  if (!plan.route) return {};
+  return {{"hours", plan.route->hours}, {"litres", plan.route->litres}, {"euros", plan.route->euros}};
+}
 
 ordered_json listed(const KeptPlan& plan) {
   return {{"id", plan.id},
@@ -34,21 +40,28 @@ ordered_json listed(const KeptPlan& plan) {
           {"uncovered_m2", plan.tally.uncovered_m2},
           {"width_m", plan.width_m},
           {"kind", plan.kind},
-          {"draft", plan.draft}};
+          {"draft", plan.draft},
+          {"route", route_of(plan)}};
+}
+
+ordered_json summary_of(const Plan& plan, const PlanNotes& notes) {
+  ordered_json out = app::plan_json(plan, notes.skipped, notes.seconds);
+  out["outside_m2"] = area(land_outside(plan));
+  return out;
 }
 
 ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
   const Plan& plan = opened.file.plan;
-  return {
-      {"id", kept.id},
-      {"name", kept.name},
-      {"field", kept.field},
-      {"created", kept.created},
-      {"kind", kept.kind},
-      {"draft", kept.draft},
-      {"summary", summary_in_page_words(app::plan_json(plan, opened.notes.skipped, opened.notes.seconds))},
-      {"explain", opened.notes.explain},
-      {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
+  return {{"id", kept.id},
+          {"name", kept.name},
+          {"field", kept.field},
+          {"created", kept.created},
+          {"kind", kept.kind},
+          {"draft", kept.draft},
+          {"summary", summary_in_page_words(summary_of(plan, opened.notes))},
+          {"explain", opened.notes.explain},
+          {"asked", opened.notes.asked},
+          {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 
 }  // namespace
@@ -84,6 +97,9 @@ void add_plan_routes(Router& router, App& app) {
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
     if (call.part("layer") == kDetourLayer)
       return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
+                                  "application/geo+json");
+    if (call.part("layer") == kOutsideLayer)
+      return response.set_content(outside_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
                                   "application/geo+json");
     const KeptPlan kept = app.plans.get(call.part("plan"));
     response.set_content(

@@ -3,6 +3,13 @@ import assert from 'node:assert/strict';
 
 export const mapReady = (page) => page.waitForSelector('[data-testid=map][data-ready=true]', { timeout: 60_000 });
 export const goTo = (page, view) => page.getByRole('navigation').getByRole('button', { name: view }).click();
+/** Opens Plan for tracks alone, which are planned in no time; the whole job takes seconds. */
+export async function planTracks(page) {
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+}
+/** Chooses one of a few things side by side. */
+export const choose = (page, name) => page.getByRole('radio', { name }).evaluate((radio) => radio.click());
 export const panel = (page) => page.locator('main.panel');
 
 export async function chooseFile(page, label, file) {
@@ -47,6 +54,7 @@ export const mapSettled = (page) =>
 
 /** Features of a layer of the map that are drawn right now. */
 export async function drawn(page, layer) {
+  await page.waitForSelector('.map[aria-busy=false]');
   await mapSettled(page);
   return page.evaluate((name) => window.tramlineMap.queryRenderedFeatures({ layers: [name] }).length, layer);
 }

@@ -5,26 +5,33 @@ import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from
 import { plural, sentence } from '../format';
 import { fields } from '../state/fields';
 import { form, OF_THE_FIELD } from '../state/plan_form';
+import { plans } from '../state/plans';
 import { review } from '../state/review';
-import { complain, note } from './notices';
-import { closePlan, loadPlans } from './plans';
+import { attempt, complain, note } from './notices';
+import { takeUpPlanning } from './planning';
+import { closePlan, loadPlans, openPlan } from './plans';
 import { busy, uploadFile } from './upload';
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
 }
 
-async function opened(field: FieldFull): Promise<void> {
+/** Opens a field with the plan named, or else with its last one. */
+async function opened(field: FieldFull, plan: string | null = null): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
     form.set(OF_THE_FIELD);
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
-  await loadPlans(field.id);
+  const list = await loadPlans(field.id);
+  const wanted = plan ?? plans.get().open?.id ?? list[0]?.id;
+  // What an address names may be gone by now: then the field simply opens without it.
+  if (wanted && wanted !== plans.get().open?.id) await openPlan(wanted).catch(() => {});
+  void attempt(() => takeUpPlanning(field.id));
 }
 
-export const openField = (id: string) => busy('Opening the field …', async () => opened(await api.field(id)));
+export const openField = (id: string, plan: string | null = null) => busy('Opening the field …', async () => opened(await api.field(id), plan));
 
 /** A file of one field opens it; one of several asks which. */
 export async function takeFieldFile(file: File): Promise<void> {

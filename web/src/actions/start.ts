@@ -8,6 +8,7 @@ import { loadFields, openField } from './fields';
 import { loadMachines } from './machines';
 import { attempt } from './notices';
 import { loadPlans, openPlan } from './plans';
+import { loadUsualRates } from './rates';
 import { greet } from './server';
 
 const opened = readAddress();
@@ -16,14 +17,14 @@ let kept = false;
 /** Loads what the server keeps, and opens what the address names. */
 export async function start(): Promise<void> {
   if (!(await greet())) return;
-  await Promise.all([loadFields, loadMachines, loadDrives].map(attempt));
+  await Promise.all([loadFields, loadMachines, loadDrives, loadUsualRates].map(attempt));
   if (kept) return;
   kept = true;
   session.set({ view: opened.view });
   const { field, plan, drive } = opened;
   // What the address names may be gone by now: then the page simply opens without it.
-  if (field) await openField(field).catch(() => {});
-  if (plan) await openPlan(plan).catch(() => {});
+  if (field) await openField(field, plan).catch(() => {});
+  else if (plan) await openPlan(plan).catch(() => {});
   if (drive) await openDrive(drive).catch(() => {});
   keepAddress();
 }

@@ -84,6 +84,9 @@ export const api = {
   changeMachine: (machine: string, to: T.Machine) => json<T.Machine>('PUT', `/machines/${id(machine)}`, to),
   deleteMachine: (machine: string) => json<void>('DELETE', `/machines/${id(machine)}`),
 
+  operations: (width_m: number) => json<T.Operation[]>('GET', `/operations?width_m=${width_m}`),
+
+  jobs: () => json<T.Job[]>('GET', '/jobs'),
   startJob: (request: T.JobRequest) => json<T.Job>('POST', '/jobs', request),
   job: (job: string) => json<T.Job>('GET', `/jobs/${id(job)}`),
   cancelJob: (job: string) => json<T.Job>('DELETE', `/jobs/${id(job)}`),

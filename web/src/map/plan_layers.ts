@@ -62,6 +62,10 @@ export function planLayers(c: Colours): { areas: LayerSpecification[]; lines: La
       fill('uncovered', { 'fill-color': c.Uncovered, 'fill-outline-color': c.Uncovered }),
       fill('overlap', { 'fill-color': c.Overlap, 'fill-outline-color': c.Overlap }),
       {
+        id: 'plan:outside', type: 'line', source: 'plan:outside',
+        paint: { 'line-color': c.NoRoom, 'line-width': 1.5, 'line-dasharray': [2, 1.5] },
+      },
+      {
         id: 'plan:subfields-edge', type: 'line', source: 'plan:subfields',
         paint: { 'line-color': c.SubfieldEdge, 'line-width': 1, 'line-dasharray': [4, 3] },
       },
@@ -123,5 +127,6 @@ export const PARTS_OF: Record<string, string[]> = {
   headland_unworked: ['plan:headland_unworked'],
   uncovered: ['plan:uncovered'],
   overlap: ['plan:overlap'],
+  outside: ['plan:outside'],
   dropped: ['plan:dropped'],
 };

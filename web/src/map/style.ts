@@ -13,7 +13,7 @@ const empty = { type: 'FeatureCollection' as const, features: [] };
 export const SOURCES = [
   'grid', 'field',
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
-  'plan:uncovered', 'plan:overlap', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
+  'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
   'work:line', 'work:machine', 'drawing', 'edges',
 ] as const;

@@ -6,6 +6,7 @@ import { engine, loadEngine } from '../../map/engine_loader';
 import type { Scale } from '../../map/grid';
 import { Icon } from '../../parts/icon';
 import { fields } from '../../state/fields';
+import { plans } from '../../state/plans';
 import { review } from '../../state/review';
 import { session, tilesHost } from '../../state/session';
 import { useStore } from '../../state/store';
@@ -26,8 +27,9 @@ export function MapHost() {
     }
     void loadEngine(() => box.current, setScale);
   }, []);
+  const drawing = useStore(plans, (value) => value.drawing);
   return (
-    <section class="map" aria-label="Map">
+    <section class="map" aria-label="Map" aria-busy={drawing}>
       <div ref={box} class="canvas" data-testid="map" />
       <div class="crosshair" aria-hidden="true" />
       <MapButtons />

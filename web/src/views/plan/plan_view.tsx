@@ -14,6 +14,7 @@ import { MachineForm } from './machine_form';
 import { PlanFigures } from './plan_figures';
 import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
+import { PlanList } from './plan_list';
 import { RouteFigures } from './route_figures';
 import { RouteForm } from './route_form';
 import { TracksForm } from './tracks_form';
@@ -29,6 +30,7 @@ export function PlanView() {
       {open && <PlanHead plan={open} />}
       {open && <PlanFigures plan={open} />}
       {open?.summary.route && <RouteFigures route={open.summary.route} />}
+      <PlanList />
       <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
         <MachineForm />
         <CostsForm />
