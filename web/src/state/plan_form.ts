@@ -142,6 +142,34 @@ export function requestOf(value: PlanForm, field: string): PlanRequest {
   return { field, machine, settings: settingsOf(value), ...(value.by === 'whole' ? {} : { objective: { prices: pricesOf(value) } }) };
 }
 
+/** A comparison takes straight tracks in directions of its own, and as many headland passes as it is told. */
+export interface CompareRequest {
+  request: PlanRequest;
+  /** What it does otherwise than the form says, in words. */
+  instead: string[];
+}
+
+/** Passes that are left to turns are as many as the plan on the map has all round. */
+export function compareRequestOf(value: PlanForm, field: string, passes: number, land: Prices = value.prices): CompareRequest {
+  const instead: string[] = [];
+  if (value.by === 'whole') instead.push('Tracks are compared by themselves, without the way between them.');
+  if (value.line) instead.push('Tracks go in every direction, not only along the line that is chosen.');
+  if (value.shape !== 'straight') instead.push('All tracks are straight.');
+  const settle = (asked: Passes, usual: number, what: string) => {
+    if (asked !== 'auto') return asked;
+    instead.push(`${usual === 0 ? 'No' : usual} headland ${usual === 1 ? 'pass' : 'passes'} ${what}.`);
+    return usual;
+  };
+  const tracks: PlanForm = {
+    ...value, by: value.by === 'whole' ? 'prices' : value.by, prices: value.by === 'whole' ? land : value.prices, route: false, shape: 'straight', line: null,
+    headlands: settle(value.headlands, passes, 'go round the field'),
+    obstacle_headlands: value.obstacle_headlands === 'auto' ? 0 : value.obstacle_headlands,
+  };
+  const request = requestOf(tracks, field);
+  delete request.settings.curved;
+  return { request, instead };
+}
+
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 const shapeOf = (curved: string | undefined, usual: Shape): Shape => (Object.keys(CURVED) as Shape[]).find((shape) => CURVED[shape] === curved) ?? usual;
 

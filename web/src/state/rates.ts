@@ -1,5 +1,5 @@
 // What work costs, by what the machine does.
-import type { Operation, RateKey, Rates } from '../api/types';
+import type { Operation, Prices, RateKey, Rates } from '../api/types';
 import { store } from './store';
 
 /** What is usual for each operation, for a machine as wide as the one of the form; empty until the server has said. */
@@ -8,6 +8,14 @@ export const usual = store<{ width_m: number; operations: Operation[] }>({ width
 export const GENERAL = 'general';
 export const usualOf = (rates: Rates | undefined, list: Operation[] = usual.get().operations): Operation | undefined =>
   list.find(({ operation }) => operation === (rates?.operation ?? GENERAL));
+
+/** What land costs that is worked twice or missed, by the rates of a machine: prices of tracks that go with a plan of the whole job. */
+export function landPrices(rates: Rates | undefined, usualPrices: Prices): Prices {
+  const known = usualOf(rates)?.rates;
+  if (!known) return usualPrices;
+  const { input_price_per_ha, sections, margin_per_ha, price_per_stop } = { ...known, ...rates };
+  return { ...usualPrices, overlap: input_price_per_ha / sections / 1e4, uncovered: margin_per_ha / 1e4, stop: price_per_stop };
+}
 
 /** As people call them. */
 export const OPERATIONS: Record<string, string> = {
