@@ -89,7 +89,7 @@ async function assertComfort(page, where) {
 flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: true }, async ({ page }) => {
   await assertComfort(page, 'the first page');
   await page.getByLabel('Choose a file with a field').setInputFiles(example('two-farms.gpkg'));
-  await page.getByLabel('Search by name or area').waitFor();
+  await page.getByLabel('Search by name, area or any other attribute').waitFor();
   await page.locator('.tick input').first().check();
   await assertComfort(page, 'a file of several fields');
   await page.getByRole('button', { name: 'Back' }).click();

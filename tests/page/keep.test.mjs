@@ -31,7 +31,7 @@ function manyFields(folder, many) {
 
 flow('many fields in a file: search, by keyboard too, and store several at once', {}, async ({ page, server }) => {
   await chooseFile(page, 'Choose a file with a field', manyFields(server.folder, 30));
-  const search = page.getByLabel('Search by name or area');
+  const search = page.getByLabel('Search by name, area or any other attribute');
   await search.waitFor();
   const cards = page.locator('#features .card');
   assert.equal(await cards.count(), 30);

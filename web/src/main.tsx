@@ -8,6 +8,8 @@ import { comeBack, start } from './actions/start';
 import { App } from './app';
 
 applyTheme();
+// A page of a machine opens at its top, whatever was read last.
+history.scrollRestoration = 'manual';
 render(<App />, document.getElementById('page')!);
 // A file that misses its place must not make the browser leave the page.
 addEventListener('dragover', (event) => event.preventDefault());

@@ -21,7 +21,7 @@ export const startBrowser = () =>
 export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce' } = {}) {
   const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true });
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(Number(process.env.TRAMLINE_WAIT ?? 60_000));
   const faults = [];
   page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
   page.on('console', (message) => {

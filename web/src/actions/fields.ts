@@ -3,14 +3,14 @@ import { api } from '../api/client';
 import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
-import { fields } from '../state/fields';
+import { calledField, fields } from '../state/fields';
 import { form, OF_THE_FIELD } from '../state/plan_form';
 import { plans } from '../state/plans';
 import { review } from '../state/review';
 import { attempt, complain, note } from './notices';
 import { takeUpPlanning } from './planning';
 import { closePlan, loadPlans, openPlan } from './plans';
-import { busy, uploadFile } from './upload';
+import { asOne, busy, uploadFile } from './upload';
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
@@ -34,13 +34,20 @@ async function opened(field: FieldFull, plan: string | null = null): Promise<voi
 export const openField = (id: string, plan: string | null = null) => busy('Opening the field …', async () => opened(await api.field(id), plan));
 
 /** A file of one field opens it; one of several asks which. */
-export async function takeFieldFile(file: File): Promise<void> {
-  const upload = await uploadFile(file);
+export async function takeFieldFile(files: File[]): Promise<void> {
+  const upload = await uploadFile(await asOne(files));
+  await takeFields(upload);
+}
+
+/** The fields of a file that was sent: of a task set with logs those that it has beside them. */
+export async function takeFields(sent: Upload): Promise<void> {
+  const partfields = sent.kind === 'log' ? (sent.partfields ?? []) : [];
+  const upload: Upload = partfields.length > 0 ? { ...sent, kind: 'fields', features: partfields, features_total: partfields.length } : sent;
   if (upload.kind !== 'fields') {
     const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : `${file.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? `${upload.name} is ${what}.` : `${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }
@@ -50,8 +57,9 @@ export async function takeFieldFile(file: File): Promise<void> {
   else fields.set({ choosing: upload });
 }
 
-const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
-  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }) });
+const LONGEST = 80;
+const storeFeature = (upload: Upload, { fid, layer, name }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }), ...(name ? { name: name.slice(0, LONGEST) } : {}) });
 
 let stopped = false;
 export const stopTaking = () => void (stopped = true);
@@ -67,13 +75,13 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
   try {
     for (const feature of features) {
       if (stopped) break;
-      fields.set({ busy: `Storing ${feature.id}, ${stored + refused.length + 1} of ${features.length} …` });
+      fields.set({ busy: `Storing ${calledField(feature)}, ${stored + refused.length + 1} of ${features.length} …` });
       try {
         await storeFeature(upload, feature);
         stored++;
       } catch (error) {
         if (!(error instanceof ApiError) || error.away) throw error;
-        refused.push(`${feature.id}: ${error.message}`);
+        refused.push(`${calledField(feature)}: ${error.message}`);
       }
     }
   } finally {

@@ -9,12 +9,14 @@ import { attempt, note } from './notices';
 import { loadPlans, openPlan, showPlan } from './plans';
 
 let run = 0;
+let timer = 0;
 
 /** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
 export async function makePlan(draft = false): Promise<void> {
   const field = fields.get().open;
   if (!field) return;
   const mine = ++run;
+  clearTimeout(timer); // what is planned now needs no second time
   const going = plans.get().job;
   if (going) await api.cancelJob(going.id).catch(() => {});
   const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
@@ -64,7 +66,6 @@ export async function cancelCheck(): Promise<void> {
 }
 
 const PAUSE_MS = 350;
-let timer = 0;
 
 /** What a plan comes out by: the name of a machine changes nothing. */
 function whatMatters(field: string): string {

@@ -1,8 +1,10 @@
 // From the first request to what was open last.
 import { api } from '../api/client';
 import { fields } from '../state/fields';
+import { plans } from '../state/plans';
+import { review } from '../state/review';
 import { session } from '../state/session';
-import { keepAddress, readAddress } from './address';
+import { keepAddress, readAddress, type Opened } from './address';
 import { loadDrives, openDrive } from './drives';
 import { loadFields, openField } from './fields';
 import { loadMachines } from './machines';
@@ -10,6 +12,7 @@ import { attempt } from './notices';
 import { loadPlans, openPlan } from './plans';
 import { loadUsualRates } from './rates';
 import { greet } from './server';
+import { show } from './session';
 
 const opened = readAddress();
 let kept = false;
@@ -26,7 +29,15 @@ export async function start(): Promise<void> {
   if (field) await openField(field, plan).catch(() => {});
   else if (plan) await openPlan(plan).catch(() => {});
   if (drive) await openDrive(drive).catch(() => {});
-  keepAddress();
+  keepAddress(goBack);
+}
+
+/** Opens what stood in the address before. */
+async function goBack({ view, field, plan, drive }: Opened): Promise<void> {
+  show(view);
+  if (field && field !== fields.get().open?.id) await openField(field, plan).catch(() => {});
+  else if (plan && plan !== plans.get().open?.id) await openPlan(plan).catch(() => {});
+  if (drive && drive !== review.get().drive?.id) await openDrive(drive).catch(() => {});
 }
 
 /** Gives the server the token that was typed, and begins anew. */

@@ -34,6 +34,10 @@ export interface UploadedFeature {
   obstacles: number;
   refused: string | null;
   rings: Geometry | Place[][] | null;
+  /** What people call it, by its attributes. */
+  name?: string;
+  crop?: string;
+  attributes?: Record<string, string>;
 }
 export interface UploadedLog {
   name: string;
@@ -54,7 +58,8 @@ export interface Upload {
   features?: UploadedFeature[];
   features_total?: number;
   logs?: UploadedLog[];
-  partfields?: unknown[];
+  /** A task set may hold logs and fields. */
+  partfields?: UploadedFeature[];
 }
 
 export interface FieldItem {

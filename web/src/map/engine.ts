@@ -9,6 +9,7 @@ import { drawGrid, scaleOf, type Scale } from './grid';
 import { drawLabels, forgetLabels } from './labels';
 import type { LiveMap } from './live_map';
 import { DAY, NIGHT } from './palette';
+import { followChoosing } from './show_choosing';
 import { followDrawing } from './show_drawing';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
@@ -125,6 +126,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   followPlan(shown);
   followWork(shown);
   followDrawing(shown);
+  followChoosing(shown);
   container.dataset['ready'] = 'true';
   // For the tests of the page, which look at what is drawn.
   Object.assign(window, { tramlineMap: map });

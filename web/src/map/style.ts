@@ -4,6 +4,7 @@ import { NIGHT, type Colours } from './palette';
 import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
+import { choosingLayers } from './show_choosing';
 import { drawingLayers } from './drawing_layers';
 import { gridLayers } from './grid';
 
@@ -15,7 +16,7 @@ export const SOURCES = [
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges',
+  'work:line', 'work:machine', 'drawing', 'edges', 'choosing', 'chosen',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 
@@ -41,6 +42,7 @@ function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[
     ...workLayers(c),
     ...field.above,
     ...plan.lines,
+    ...choosingLayers(c),
     ...drawingLayers(c),
   ];
 }

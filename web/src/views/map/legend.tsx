@@ -8,7 +8,8 @@ import { useStore } from '../../state/store';
 import { DriveLayers } from './drive_layer_list';
 import { LayerList } from './plan_layer_list';
 
-const narrow = matchMedia('(max-width: 760px)');
+/** Phones and tablets keep their map free. */
+const narrow = matchMedia('(max-width: 1100px)');
 
 export function Legend() {
   const view = useStore(session, (value) => value.view);

@@ -56,7 +56,7 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
   ];
   const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.label === 'Time' || row.label === 'Fuel' ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
   return (
-    <section aria-label="The plan in numbers">
+    <section id="numbers" tabIndex={-1} aria-label="The plan in numbers">
       <Figures label="The plan in numbers"
         list={[
           ...costs.map((row) => figure(row, s, alike(row, before))),
