@@ -43,7 +43,8 @@ ordered_json field_entry(const KeptField& kept) {
           {"passable", count(field, ObstacleKind::kPassable)},
           {"geodetic", field.frame.geodetic},
           {"bbox", ShownPlace(field.frame).bbox(bounds(field.outer))},
-          {"created", kept.created}};
+          {"created", kept.created},
+          {"reshaped", kept.reshaped}};
 }
 
 ordered_json field_in_full(const KeptField& kept) {

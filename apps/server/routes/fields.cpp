@@ -8,6 +8,7 @@
 #include "server/input/json_input.h"
 #include "server/map/field_json.h"
 #include "server/routes/routes.h"
+#include "server/store/new_id.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {
@@ -59,10 +60,13 @@ ordered_json keep_new(App& app, const ordered_json& json) {
 }
 
 ordered_json change(App& app, const std::string& id, const ordered_json& json) {
-  const JsonInput input(json, "", {"name", "add", "remove"});
+  const JsonInput input(json, "", {"name", "add", "remove", "boundary"});
   return field_in_full(*app.fields.change(id, [&](KeptField& kept) {
     if (input.has("name")) kept.name = name_of(input, "name");
     if (kept.name.empty()) throw bad_input("give the field a name");
+    if (input.has("boundary")) kept.field = with_boundary(kept.field, input.value("boundary"));
+    if (input.has("boundary") || !input.list("remove").empty() || !input.list("add").empty())
+      kept.reshaped = time_now();
     kept.field = changed_field(std::move(kept.field), input.list("remove"), input.list("add"));
   }));
 }

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <string>
 
 #include "report/plan_report.h"
+#include "server/http/packed.h"
 #include "server/http/page_words.h"
 #include "server/input/json_input.h"
 #include "server/map/detour_layer.h"
@@ -20,6 +22,9 @@ namespace tramline::server {
 namespace {
 
 using nlohmann::ordered_json;
+
+/// Nothing of a field would be left of shapes that deviate more.
+constexpr double kCoarsest_m = 100;
 
 ordered_json route_of(const KeptPlan& plan) {
   if (!plan.route) return {};
@@ -64,6 +69,25 @@ ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
           {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 
+/// By how much shapes may deviate, m; 0 where the request does not say.
+double detail_in(const Call& call) {
+  const double detail_m = call.query_number("detail_m");
+  if (std::isnan(detail_m)) return 0;
+  if (detail_m < 0 || detail_m > kCoarsest_m)
+    throw bad_input(fmt::format("detail_m has to lie between 0 and {:g}, not {:g}", kCoarsest_m, detail_m));
+  return detail_m;
+}
+
+std::string layer_of(App& app, const Call& call) {
+  const std::string& layer = call.part("layer");
+  const KeptPlan kept = app.plans.get(call.part("plan"));
+  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan).dump();
+  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan).dump();
+  return while_kept(
+      [&] { app.plans.get(kept.id); },
+      [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_in(call)); });
+}
+
 }  // namespace
 
 void add_plan_routes(Router& router, App& app) {
@@ -95,18 +119,7 @@ void add_plan_routes(Router& router, App& app) {
     answer(response, layer_list(app.plans.open(call.part("plan")).file));
   });
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
-    if (call.part("layer") == kDetourLayer)
-      return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
-                                  "application/geo+json");
-    if (call.part("layer") == kOutsideLayer)
-      return response.set_content(outside_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
-                                  "application/geo+json");
-    const KeptPlan kept = app.plans.get(call.part("plan"));
-    response.set_content(
-        while_kept(
-            [&] { app.plans.get(kept.id); },
-            [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")); }),
-        "application/geo+json");
+    send_geojson(call.request(), response, layer_of(app, call));
   });
 }
 

@@ -17,12 +17,12 @@
 namespace tramline::server {
 namespace {
 
-constexpr const char* kKind = "fields";
+constexpr const char* kFields = "fields";
 
 }  // namespace
 
 FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
-  for (const std::string& id : folder.ids(kKind)) {
+  for (const std::string& id : folder.ids(kFields)) {
     try {
       fields_[id] = read(id);
     } catch (const Error& error) {
@@ -32,16 +32,17 @@ FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warn
 }
 
 KeptFieldPtr FieldStore::read(const std::string& id) const {
-  io::StoredField stored = io::read_field(folder_.file(kKind, id));
+  io::StoredField stored = io::read_field(folder_.file(kFields, id));
   KeptField out{id, remark(stored.remarks, "name"), remark(stored.remarks, "created"),
-                std::move(stored.field), skipped_in(remark(stored.remarks, "skipped"))};
+                std::move(stored.field), skipped_in(remark(stored.remarks, "skipped")),
+                remark(stored.remarks, "reshaped")};
   if (out.name.empty()) out.name = out.field.id;
   return std::make_shared<const KeptField>(std::move(out));
 }
 
 KeptFieldPtr FieldStore::write(const KeptField& kept) {
-  io::write_field(kept.field, folder_.file(kKind, kept.id),
-                  {{"name", kept.name}, {"created", kept.created}, {"skipped", skipped_text(kept.skipped)}});
+  io::write_field(kept.field, folder_.file(kFields, kept.id),
+                  {{"name", kept.name}, {"created", kept.created}, {"skipped", skipped_text(kept.skipped)}, {"reshaped", kept.reshaped}});
   KeptFieldPtr out = read(kept.id);
   const std::lock_guard lock(mutex_);
   fields_[kept.id] = out;
@@ -79,7 +80,7 @@ void FieldStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   if (fields_.erase(id) == 0) throw not_found("field", id);
   std::error_code ignored;
-  std::filesystem::remove(folder_.file(kKind, id), ignored);
+  std::filesystem::remove(folder_.file(kFields, id), ignored);
 }
 
 }  // namespace tramline::server

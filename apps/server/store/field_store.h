@@ -19,6 +19,7 @@ struct KeptField {
   std::string created;  ///< "2026-03-14T08:15:00Z"
   Field field;
   std::vector<Skipped> skipped;  ///< of its file
+  std::string reshaped{};        ///< when its boundary or an obstacle was changed last; empty: never
 };
 using KeptFieldPtr = std::shared_ptr<const KeptField>;
 

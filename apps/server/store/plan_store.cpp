@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kKind = "plans";
+constexpr const char* kPlans = "plans";
 
 ordered_json object_in(const std::string& text) {
   auto out = ordered_json::parse(text, nullptr, false);
@@ -68,7 +68,7 @@ PlanNotes notes_in(const io::Metadata& remarks) {
 }  // namespace
 
 PlanStore::PlanStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
-  for (const std::string& id : folder.ids(kKind)) {
+  for (const std::string& id : folder.ids(kPlans)) {
     try {
       plans_[id] = read(id);
     } catch (const Error& error) {
@@ -78,7 +78,7 @@ PlanStore::PlanStore(const StoreFolder& folder, std::vector<std::string>& warnin
 }
 
 KeptPlan PlanStore::read(const std::string& id) const {
-  const std::filesystem::path path = folder_.file(kKind, id);
+  const std::filesystem::path path = folder_.file(kPlans, id);
   const io::Metadata metadata = io::read_metadata(path, io::kPlanFile);
   Plan plan;
   const int version = io::apply_metadata(metadata, path, plan);
@@ -101,7 +101,7 @@ KeptPlan PlanStore::read(const std::string& id) const {
 
 KeptPlan PlanStore::write(const std::string& id, const std::string& created, const Plan& plan,
                           const PlanNotes& notes) {
-  io::write_plan(plan, folder_.file(kKind, id), remarks_of(created, plan, notes));
+  io::write_plan(plan, folder_.file(kPlans, id), remarks_of(created, plan, notes));
   KeptPlan out = read(id);
   const std::lock_guard lock(mutex_);
   plans_[id] = out;
@@ -123,7 +123,7 @@ void PlanStore::drop_other_drafts(const KeptPlan& newest) {
   std::erase_if(plans_, [&](const auto& entry) {
     const KeptPlan& plan = entry.second;
     if (!plan.draft || plan.field != newest.field || plan.id == newest.id) return false;
-    std::filesystem::remove(folder_.file(kKind, plan.id), ignored);
+    std::filesystem::remove(folder_.file(kPlans, plan.id), ignored);
     return true;
   });
 }
@@ -144,7 +144,7 @@ KeptPlan PlanStore::get(const std::string& id) const {
   return found->second;
 }
 
-std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
+std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kPlans, get(id).id); }
 
 OpenedPlan PlanStore::open(const std::string& id) const {
   OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
@@ -171,7 +171,7 @@ void PlanStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   if (plans_.erase(id) == 0) throw not_found("plan", id);
   std::error_code ignored;
-  std::filesystem::remove(folder_.file(kKind, id), ignored);
+  std::filesystem::remove(folder_.file(kPlans, id), ignored);
 }
 
 }  // namespace tramline::server

@@ -1,7 +1,7 @@
 // Plans of the open field: opening one, switching its layers, keeping, naming and deleting it.
 import { api } from '../api/client';
 import { ApiError } from '../api/errors';
-import type { FeatureCollection, PlanFull, PlanItem } from '../api/types';
+import type { Box, FeatureCollection, PlanFull, PlanItem } from '../api/types';
 import { fields } from '../state/fields';
 import { showAsked } from '../state/plan_form';
 import { isShown, plans } from '../state/plans';
@@ -36,7 +36,7 @@ async function show(id: string, figured: (plan: PlanFull) => void): Promise<void
   if (wanted !== id) return;
   const last = plans.get().open;
   const before = last && last.id !== id && last.field === plan.field ? last.summary : null;
-  plans.set({ open: plan, before, layers, shapes: {}, drawing: true });
+  plans.set({ open: plan, before, layers, shapes: {}, drawing: true, detail_m: coarse(plan.bbox) });
   figured(plan);
   if (fields.get().open?.id !== plan.field) {
     const field = await api.field(plan.field).catch(() => null); // a deleted field's plans stay
@@ -50,10 +50,27 @@ async function show(id: string, figured: (plan: PlanFull) => void): Promise<void
   }
 }
 
+/** Shapes as fine as a screen shows a whole field: half a pixel of one that fills it. */
+const SCREEN_PX = 1600;
+const FINEST_M = 0.02;
+const DEGREE_M = 111_320;
+function coarse([west, south, east, north]: Box): number {
+  const size_m = DEGREE_M * Math.max((east - west) * Math.cos((south * Math.PI) / 180), north - south);
+  return Math.max(FINEST_M, Math.round((100 * size_m) / SCREEN_PX) / 100);
+}
+
+/** The layers anew as fine as they are, once the map is so near that it would show. */
+export async function refineLayers(): Promise<void> {
+  const { open, detail_m, shapes } = plans.get();
+  if (!open || detail_m <= FINEST_M) return;
+  plans.set({ detail_m: FINEST_M });
+  await Promise.all(Object.keys(shapes).map((name) => fetchLayer(open.id, name)));
+}
+
 async function fetchLayer(id: string, name: string): Promise<void> {
   let shape: FeatureCollection;
   try {
-    shape = await api.planLayer(id, name);
+    shape = await api.planLayer(id, name, plans.get().detail_m);
   } catch (error) {
     const open = plans.get().open;
     const replaced = open?.id !== id || open.draft;

@@ -97,7 +97,8 @@ export const api = {
   keepPlan: (plan: string) => json<unknown>('PATCH', `/plans/${id(plan)}`, { draft: false }),
   deletePlan: (plan: string) => json<void>('DELETE', `/plans/${id(plan)}`),
   planLayers: (plan: string) => json<T.LayerItem[]>('GET', `/plans/${id(plan)}/layers`),
-  planLayer: (plan: string, layer: string) => json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}`),
+  planLayer: (plan: string, layer: string, detail_m: number) =>
+    json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}?detail_m=${detail_m}`),
   front: (front: string) => json<T.Front>('GET', `/fronts/${id(front)}`),
   layPoint: (front: string, point: number) => json<{ plan: string }>('POST', `/fronts/${id(front)}/points/${point}`),
 

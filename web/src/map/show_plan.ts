@@ -1,3 +1,5 @@
+import { attempt } from '../actions/notices';
+import { refineLayers } from '../actions/plans';
 import type { FeatureCollection } from '../api/types';
 import { isShown, plans } from '../state/plans';
 import { session } from '../state/session';
@@ -51,6 +53,12 @@ export function followPlan({ map, fill, visible }: LiveMap): void {
       for (const layer of ['plan:tracks-number', 'plan:tracks-arrow']) map.setLayerZoomRange(layer, zoomOf(width_m, lat, LEAST_APART_PX), 24);
     }
   };
+  map.on('zoomend', () => {
+    const { open, detail_m } = plans.get();
+    if (!open) return;
+    const pixel_m = 1 / swathPx(1, map.getCenter().lat, map.getZoom());
+    if (pixel_m < detail_m) void attempt(refineLayers);
+  });
   plans.listen(sync);
   session.listen(sync);
   sync();

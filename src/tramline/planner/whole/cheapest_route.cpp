@@ -23,6 +23,13 @@ constexpr double kExpected = 0.4;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
+/// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
+/// routes, headlands of other depths, and other obstacles with headlands.
+constexpr double kBegun = 0.2;
+constexpr double kFirstRoutes = 0.5;
+constexpr double kDepthFound = 0.75;
+constexpr double kObstaclesFound = 0.85;
+
 /// A plan to be compared. It has its route where it has a price.
 struct Entry {
   LaidOut laid;
@@ -34,15 +41,18 @@ class Comparison {
  public:
   Comparison(const PlanningProblem& problem, const std::vector<Plan>& layouts, Compare compare,
              const SearchContext& context)
-      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layouts, context) {
+      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layouts, context.uncounted()) {
     problem_.settings.turns = TurnPlanning::kNone;
   }
 
   ComparedRoutes cheapest(const RoomForTurns& room_for_turns) {
     for (LaidOut& laid : layouts_.to_begin_with()) add(std::move(laid));
+    context_.reach(kBegun);
     plan_routes();
     if (goes_on()) vary_depth();
+    context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
+    context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
     if (!best_ || (goes_on() && lacks_room())) deepened = with_room(room_for_turns);
@@ -101,7 +111,11 @@ class Comparison {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [this](std::size_t a, std::size_t b) { return entries_[a].floor < entries_[b].floor; });
-    for (const std::size_t i : order) improves(i);
+    for (std::size_t done = 0; done < order.size(); ++done) {
+      improves(order[done]);
+      const double share = static_cast<double>(done + 1) / static_cast<double>(order.size());
+      context_.reach(kBegun + (kFirstRoutes - kBegun) * share);
+    }
   }
 
   const HeadlandTrial& best() const { return entries_[*best_].laid.trial; }
