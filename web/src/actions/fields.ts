@@ -105,12 +105,15 @@ export async function storeDrawnField(name: string, geometry: Geometry): Promise
   await loadFields();
 }
 
-export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[] }): Promise<void> {
+export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[]; boundary?: Geometry }): Promise<void> {
   const open = fields.get().open;
   if (!open) return;
   await api.changeField(open.id, change);
   fields.set({ open: await api.field(open.id) });
-  if (change.add || change.remove) closePlan(); // it was made for other land
+  if (change.add || change.remove || change.boundary) {
+    closePlan(); // it was made for other land
+    await loadPlans(open.id);
+  }
   await loadFields();
 }
 

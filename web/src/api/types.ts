@@ -71,6 +71,8 @@ export interface FieldItem {
   geodetic: boolean;
   bbox: Box;
   created: string;
+  /** When its shape was changed last; empty: never. */
+  reshaped: string;
 }
 export interface Repair {
   what: string;

@@ -5,6 +5,7 @@ import { planFile } from '../../api/addresses';
 import type { PlanItem } from '../../api/types';
 import { hours, money, plural, squareMetres, when, width } from '../../format';
 import { Expander } from '../../parts/expander';
+import { fields } from '../../state/fields';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
@@ -15,6 +16,7 @@ export function PlanList() {
   useStore(form, (value) => value); // costs of tracks are counted at its prices
   const list = useStore(plans, (value) => value.list);
   const open = useStore(plans, (value) => value.open?.id);
+  const reshaped = useStore(fields, (value) => value.open?.reshaped ?? '');
   if (list.length === 0) return null;
   return (
     <section aria-label="Plans of this field">
@@ -27,6 +29,7 @@ export function PlanList() {
                 <span class="grow">
                   <strong>{plan.name}{plan.draft ? ' (draft)' : ''}</strong>
                   <span class="sub">{`${when(plan.created)} · ${width(plan.width_m)} wide${plan.kind === 'repair' ? ' · repair' : ''}`}</span>
+                  {plan.created < reshaped && <span class="sub fault">of an earlier shape of the field</span>}
                   <span class="sub">{`${costs(plan)} · ${squareMetres(plan.uncovered_m2)} uncovered`}</span>
                 </span>
               </button>
