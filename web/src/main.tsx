@@ -1,7 +1,9 @@
 import { render } from 'preact';
-import { complain } from './actions/notices';
+import { readAgain } from './actions/feeds';
+import { attempt, complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
 import { followWidth } from './actions/rates';
+import { onLostFeed } from './actions/replay';
 import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';
@@ -20,4 +22,5 @@ addEventListener('drop', (event) => {
 watchServer(() => void comeBack());
 planAtChanges();
 followWidth();
+onLostFeed((feed) => attempt(() => readAgain(feed)).then(() => {}));
 void start();

@@ -6,6 +6,7 @@ import { review } from '../state/review';
 import { session } from '../state/session';
 import { keepAddress, readAddress, type Opened } from './address';
 import { loadDrives, openDrive } from './drives';
+import { awaitTakenUp } from './feeds';
 import { loadFields, openField } from './fields';
 import { loadMachines } from './machines';
 import { attempt } from './notices';
@@ -51,4 +52,5 @@ export async function comeBack(): Promise<void> {
   await start();
   const open = fields.get().open;
   if (open) await loadPlans(open.id).catch(() => {});
+  await awaitTakenUp().catch(() => {});
 }

@@ -335,6 +335,8 @@ export interface Explain {
   runner_ups?: RunnerUp[];
   /** Of plans of least whole cost; the plan itself comes first. */
   routes?: ComparedRoute[];
+  /** Of a plan for gaps: what they cost left as they are, and what it costs to work them. */
+  repair?: { missed_before_m2: number; missed_after_m2: number; cost_if_left: number; cost_of_passes: number; cost_after: number };
 }
 /** A request as it was made; what it left out is as the server takes it. */
 export interface Asked {

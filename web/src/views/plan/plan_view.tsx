@@ -18,6 +18,7 @@ import { PlanFigures } from './plan_figures';
 import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
 import { PlanList } from './plan_list';
+import { RepairCosts } from './repair_costs';
 import { RouteFigures } from './route_figures';
 import { RouteForm } from './route_form';
 import { TracksForm } from './tracks_form';
@@ -52,6 +53,7 @@ export function PlanView() {
       <p class="unseen" role="status">{open && !job ? spoken(open) : ''}</p>
       {open && <PlanHead plan={open} />}
       {open && <PlanFigures plan={open} />}
+      {open?.explain?.repair && <RepairCosts repair={open.explain.repair} />}
       {open && <PlanBar plan={open} />}
       {open?.summary.route && <RouteFigures route={open.summary.route} />}
       <PlanList />
