@@ -1,7 +1,7 @@
 // The whole job: what is planned where nobody chooses, in hours, litres and euros.
 import assert from 'node:assert/strict';
 import { flow } from './support/flow.mjs';
-import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel } from './support/page.mjs';
+import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
 import { ask, openId, smallField } from './support/stored.mjs';
 
 
@@ -129,4 +129,51 @@ flow('land worked outside the field is said beside the overlap and drawn', {}, a
   assert.ok(summary.outside_m2 > 1 && summary.outside_m2 <= summary.overlap_m2 + 0.01);
   assert.match(await panel(page).innerText(), new RegExp(`${Math.round(summary.outside_m2).toLocaleString('en-GB')} m² outside`));
   assert.ok((await drawn(page, 'plan:outside')) > 0);
+});
+
+flow('the route is driven on the map, and what it takes adds up to the plan', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const { summary } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  const player = page.getByRole('group', { name: 'Drive the route' });
+  const time = player.getByLabel('Time');
+  const seek = (s) => time.evaluate((input, to) => { input.value = String(to); input.dispatchEvent(new Event('input', { bubbles: true })); }, s);
+  await seek(summary.route.time_s);
+  near(await figure(page, 'Fuel so far'), summary.whole_cost.litres, 0.06);
+  near(await figure(page, 'Machine and fuel'), summary.whole_cost.euros_hours + summary.whole_cost.euros_fuel, 0.01);
+  await seek(summary.route.time_s / 2);
+  assert.ok((await figure(page, 'Fuel so far')) < summary.whole_cost.litres);
+  assert.equal(await drawn(page, 'route-machine'), 1);
+  await player.getByLabel('Speed').selectOption('600');
+  await player.getByRole('button', { name: 'Drive the route' }).click();
+  await page.waitForFunction(() => { const slider = document.querySelector('[aria-label="Drive the route"] input[type=range]'); return Number(slider.max) - Number(slider.value) < 0.01; });
+  await player.getByRole('button', { name: 'Drive the route' }).waitFor();
+  await player.getByRole('button', { name: 'Whole route' }).click();
+  assert.equal(await visible(page, 'route-machine'), false);
+});
+
+flow('figures come before layers, and layers are compressed and as fine as the screen', {}, async ({ page, server }) => {
+  const field = smallField(server.folder);
+  await openField(page, field);
+  await goTo(page, 'Plan');
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  const asked = [];
+  await page.route(/\/layers\/[^/]+$/, async (route) => {
+    asked.push(route.request().url());
+    await held;
+    await route.continue();
+  });
+  await makePlan(page);
+  assert.ok((await figure(page, 'Whole cost')) > 0, 'figures are there without any layer');
+  release();
+  assert.ok((await drawn(page, 'plan:tracks')) > 0);
+  assert.ok(asked.length > 3 && asked.every((url) => /detail_m=0\.\d+/.test(url)), asked[0]);
+  const layer = `${server.address}/api/v1/plans/${openId(page, 'plan')}/layers/swaths`;
+  const sent = async (path, encoding) => (await fetch(path, { headers: { 'Accept-Encoding': encoding } })).headers;
+  assert.equal((await sent(layer, 'gzip')).get('content-encoding'), 'gzip');
+  assert.equal((await sent(layer, 'identity')).get('content-encoding'), null);
+  const vertices = async (path) => JSON.stringify(await (await fetch(path)).json()).length;
+  assert.ok((await vertices(`${layer}?detail_m=0.3`)) < (await vertices(layer)), 'coarser shapes have fewer vertices');
 });

@@ -13,6 +13,7 @@ import { followChoosing } from './show_choosing';
 import { followDrawing } from './show_drawing';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
+import { followRoutePlay } from './show_route_play';
 import { followWork } from './show_work';
 import { mapStyle } from './style';
 
@@ -125,6 +126,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   followField(shown);
   followPlan(shown);
   followWork(shown);
+  followRoutePlay(shown);
   followDrawing(shown);
   followChoosing(shown);
   container.dataset['ready'] = 'true';

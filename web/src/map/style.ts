@@ -5,6 +5,7 @@ import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
 import { choosingLayers } from './show_choosing';
+import { routePlayLayers } from './show_route_play';
 import { drawingLayers } from './drawing_layers';
 import { gridLayers } from './grid';
 
@@ -16,7 +17,7 @@ export const SOURCES = [
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges', 'choosing', 'chosen',
+  'work:line', 'work:machine', 'drawing', 'edges', 'choosing', 'chosen', 'route-driven', 'route-machine',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 
@@ -42,6 +43,7 @@ function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[
     ...workLayers(c),
     ...field.above,
     ...plan.lines,
+    ...routePlayLayers(c),
     ...choosingLayers(c),
     ...drawingLayers(c),
   ];

@@ -55,7 +55,7 @@ export function PlanView() {
       {open && <PlanFigures plan={open} />}
       {open?.explain?.repair && <RepairCosts repair={open.explain.repair} />}
       {open && <PlanBar plan={open} />}
-      {open?.summary.route && <RouteFigures route={open.summary.route} />}
+      {open?.summary.route && <RouteFigures plan={open} route={open.summary.route} />}
       <PlanList />
       <form onSubmit={(event) => { event.preventDefault(); submit(event.currentTarget); }}>
         <MachineForm />
