@@ -170,7 +170,7 @@ flow('figures come before layers, and layers are compressed and as fine as the s
   release();
   assert.ok((await drawn(page, 'plan:tracks')) > 0);
   assert.ok(asked.length > 3 && asked.every((url) => /detail_m=0\.\d+/.test(url)), asked[0]);
-  const layer = `${server.address}/api/v1/plans/${openId(page, 'plan')}/layers/swaths`;
+  const layer = `${server.address}/api/v1/plans/${openId(page, 'plan')}/layers/route_legs`;
   const sent = async (path, encoding) => (await fetch(path, { headers: { 'Accept-Encoding': encoding } })).headers;
   assert.equal((await sent(layer, 'gzip')).get('content-encoding'), 'gzip');
   assert.equal((await sent(layer, 'identity')).get('content-encoding'), null);

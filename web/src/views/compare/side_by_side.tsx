@@ -132,7 +132,7 @@ function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
       )}
       <div class="wide-table" tabIndex={0} role="region" aria-label="Differences of the two plans">
         <table class="differences">
-          <thead><tr><th /><th>First</th><th>Second</th><th>Second − first</th></tr></thead>
+          <thead><tr><td /><th>First</th><th>Second</th><th>Second − first</th></tr></thead>
           <tbody>
             {ROWS.map((row) => <Compared key={row.label} row={row} one={one} two={two} />)}
             {WORDS.map(({ label, of }) => (

@@ -56,7 +56,7 @@ function Points({ points }: { points: FrontPoint[] }) {
         ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
       </p>
       <Expander title="The same as a table">
-        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">
+        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice, as a table">
           <table>
             <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
             <tbody>

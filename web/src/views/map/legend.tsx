@@ -20,9 +20,11 @@ export function Legend() {
   const list = view === 'plan' || view === 'compare' ? plan && <LayerList /> : view === 'review' && drive && !moving ? <DriveLayers drive={drive} /> : null;
   if (!list) return null;
   return (
-    <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary>On the map</summary>
-      {list}
-    </details>
+    <aside class="unboxed" aria-label="Legend">
+      <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>On the map</summary>
+        {list}
+      </details>
+    </aside>
   );
 }
