@@ -92,6 +92,15 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
   if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
 }
 
+/** Stores every field of a file that can be used, and opens the first. */
+export async function storeAll(upload: Upload): Promise<void> {
+  const stored: string[] = [];
+  for (const feature of upload.features ?? []) if (feature.refused === null) stored.push((await storeFeature(upload, feature)).id);
+  await loadFields();
+  const [first] = stored;
+  if (first) await opened(await api.field(first));
+}
+
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
   const field = await busy('Checking the field …', () => storeFeature(upload, feature));
   fields.set({ choosing: null });

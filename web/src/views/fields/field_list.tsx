@@ -1,7 +1,9 @@
 import { useState } from 'preact/hooks';
+import { goToStop, openExampleFarm } from '../../actions/example';
 import { deleteField, openField } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import { hectares, plural, when } from '../../format';
+import { Button } from '../../parts/button';
 import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
 import { arrowKeys, LONG, matching, Search } from '../../parts/search';
@@ -18,7 +20,15 @@ export function FieldList() {
   return (
     <section aria-labelledby="fields-title">
       <h2 id="fields-title">Your fields</h2>
-      {list.length === 0 && <p class="hint">None yet. Choose a file above, or draw a field on the map.</p>}
+      {list.length === 0 && (
+        <>
+          <p class="hint">None yet. Choose a file above, or draw a field on the map. To look round first:</p>
+          <div class="row">
+            <Button onClick={() => void attempt(openExampleFarm)}>Open the example farm</Button>
+            <Button onClick={() => goToStop(0)}>Take the short tour</Button>
+          </div>
+        </>
+      )}
       {long && <Search label="Search by name or area" typed={typed} found={found.length} all={list.length} list="stored-fields" change={setTyped} />}
       <ul class="cards" id="stored-fields" onKeyDown={arrowKeys}>
         {found.map((field) => (
