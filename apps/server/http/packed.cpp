@@ -43,7 +43,8 @@ bool takes_gzip(const httplib::Request& request) {
 
 void send_geojson(const httplib::Request& request, httplib::Response& response, std::string text) {
   response.set_header("Vary", "Accept-Encoding");
-  if (text.size() < kWorthPacking || !takes_gzip(request)) return response.set_content(std::move(text), kGeoJson);
+  if (text.size() < kWorthPacking || !takes_gzip(request))
+    return response.set_content(std::move(text), kGeoJson);
   response.set_header("Content-Encoding", "gzip");
   const auto packed = std::make_shared<const std::string>(gzipped(text));
   response.set_content_provider(packed->size(), kGeoJson,

@@ -12,8 +12,8 @@ namespace tramline::server {
 /// geometry, size_m?}. Throws bad_input for a number that does not exist, and for a shape outside the field.
 Field changed_field(Field field, const nlohmann::ordered_json& remove, const nlohmann::ordered_json& add);
 
-/// The field within another boundary, a GeoJSON polygon on the map: obstacles stay where they are, and what of
-/// them lies beyond is cut off. Throws bad_input for a boundary that makes no field, or more than one.
+/// The field within another boundary, a GeoJSON polygon on the map: obstacles stay where they are, and what
+/// of them lies beyond is cut off. Throws bad_input for a boundary that makes no field, or more than one.
 Field with_boundary(const Field& field, const nlohmann::ordered_json& boundary);
 
 }  // namespace tramline::server

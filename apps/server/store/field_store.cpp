@@ -33,8 +33,13 @@ FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warn
 
 KeptFieldPtr FieldStore::read(const std::string& id) const {
   io::StoredField stored = io::read_field(folder_.file(kFields, id));
-  KeptField out{id, remark(stored.remarks, "name"), remark(stored.remarks, "created"),
-                std::move(stored.field), skipped_in(remark(stored.remarks, "skipped")),
+  KeptField out{id,
+                remark(stored.remarks, "name"),
+                remark(stored.remarks, "created"),
+                std::move(stored.field),
+                skipped_in(remark(stored.remarks, "skipped")),
+                remark(stored.remarks, "crop"),
+                words_in(remark(stored.remarks, "tags")),
                 remark(stored.remarks, "reshaped")};
   if (out.name.empty()) out.name = out.field.id;
   return std::make_shared<const KeptField>(std::move(out));
@@ -42,7 +47,12 @@ KeptFieldPtr FieldStore::read(const std::string& id) const {
 
 KeptFieldPtr FieldStore::write(const KeptField& kept) {
   io::write_field(kept.field, folder_.file(kFields, kept.id),
-                  {{"name", kept.name}, {"created", kept.created}, {"skipped", skipped_text(kept.skipped)}, {"reshaped", kept.reshaped}});
+                  {{"name", kept.name},
+                   {"created", kept.created},
+                   {"skipped", skipped_text(kept.skipped)},
+                   {"reshaped", kept.reshaped},
+                   {"crop", kept.crop},
+                   {"tags", words_text(kept.tags)}});
   KeptFieldPtr out = read(kept.id);
   const std::lock_guard lock(mutex_);
   fields_[kept.id] = out;
@@ -63,9 +73,9 @@ KeptFieldPtr FieldStore::get(const std::string& id) const {
   return found->second;
 }
 
-KeptFieldPtr FieldStore::add(const Field& field, const std::string& name,
-                             const std::vector<Skipped>& skipped) {
-  return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped});
+KeptFieldPtr FieldStore::add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped,
+                             const std::string& crop) {
+  return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped, crop});
 }
 
 KeptFieldPtr FieldStore::change(const std::string& id, const std::function<void(KeptField&)>& how) {

@@ -144,7 +144,9 @@ KeptPlan PlanStore::get(const std::string& id) const {
   return found->second;
 }
 
-std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kPlans, get(id).id); }
+std::filesystem::path PlanStore::file(const std::string& id) const {
+  return folder_.file(kPlans, get(id).id);
+}
 
 OpenedPlan PlanStore::open(const std::string& id) const {
   OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};

@@ -12,24 +12,24 @@ namespace {
 
 /// Names that people gave, the more telling attribute first.
 constexpr std::array<std::string_view, 32> kNames = {
-    "field_name", "fieldname",  "field name",  "designator", "partfield",  "feldname",   "schlagname",
-    "schlagbez",  "flurname",   "bezeichnung", "bezeichnun", "plotname",   "parcel_nam", "parcelname",
-    "name",       "naam",       "perceelnaam", "navn",       "namn",       "nimi",       "nom",
-    "nom_parcel", "nombre",     "nome",        "nazwa",      "nazev",      "nazov",      "denumire",
-    "title",      "field",      "feld",        "label"};
+    "field_name", "fieldname", "field name",  "designator", "partfield", "feldname",   "schlagname",
+    "schlagbez",  "flurname",  "bezeichnung", "bezeichnun", "plotname",  "parcel_nam", "parcelname",
+    "name",       "naam",      "perceelnaam", "navn",       "namn",      "nimi",       "nom",
+    "nom_parcel", "nombre",    "nome",        "nazwa",      "nazev",     "nazov",      "denumire",
+    "title",      "field",     "feld",        "label"};
 
 /// Numbers by which registers tell land apart.
 constexpr std::array<std::string_view, 34> kNumbers = {
-    "flik",      "feldblock",  "fb_flik",   "flik_id",   "fbi",       "schlagnr",  "schlag",
-    "schlagnumm", "nummer",    "marknr",    "mark_nr",   "markblok",  "blockid",   "blokid",
-    "skiftesnr", "lohko",      "peruslohko", "parcel_id", "parcelid",  "id_parcel", "num_ilot",
-    "num_parcel", "perceelid", "perceel_id", "zkod_dpb", "kod_dpb",   "kod",       "nr_dzialki",
-    "lpis_id",   "lpis",       "gerk_pid",  "refcat",    "reference", "code"};
+    "flik",       "feldblock", "fb_flik",    "flik_id",   "fbi",       "schlagnr",  "schlag",
+    "schlagnumm", "nummer",    "marknr",     "mark_nr",   "markblok",  "blockid",   "blokid",
+    "skiftesnr",  "lohko",     "peruslohko", "parcel_id", "parcelid",  "id_parcel", "num_ilot",
+    "num_parcel", "perceelid", "perceel_id", "zkod_dpb",  "kod_dpb",   "kod",       "nr_dzialki",
+    "lpis_id",    "lpis",      "gerk_pid",   "refcat",    "reference", "code"};
 
 constexpr std::array<std::string_view, 18> kCrops = {
-    "crop",      "crop_name", "cropname", "kultur",   "kulturart", "culture",   "culture_d",
-    "cultura",   "cultivo",   "afgroede", "groda",    "gewas",     "code_cultu", "plodina",
-    "uprawa",    "kasvi",     "nutzung",  "src_gewas"};
+    "crop",       "crop_name", "cropname", "kultur",   "kulturart", "culture",
+    "culture_d",  "cultura",   "cultivo",  "afgroede", "groda",     "gewas",
+    "code_cultu", "plodina",   "uprawa",   "kasvi",    "nutzung",   "src_gewas"};
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t") == std::string::npos; }
 

@@ -54,8 +54,8 @@ double area_about_m2(const RawRing& ring, const Crs& crs) {
 ordered_json coordinates(const std::vector<Point>& ring) {
   ordered_json out = ordered_json::array();
   for (const Point p : ring)
-    out.push_back(
-        {std::round(p.x * kDegreesWritten) / kDegreesWritten, std::round(p.y * kDegreesWritten) / kDegreesWritten});
+    out.push_back({std::round(p.x * kDegreesWritten) / kDegreesWritten,
+                   std::round(p.y * kDegreesWritten) / kDegreesWritten});
   return out;
 }
 

@@ -256,8 +256,9 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
   if (layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
   const auto room_for_turns = [&] {
     const SearchContext deepening = comparing.uncounted();
-    return headlands_follow_turns(problem.settings) ? planned_with_headlands_for_turns(problem, deepening).plan
-                                                    : searched(problem, deepening, Explain::kNo).plan;
+    return headlands_follow_turns(problem.settings)
+               ? planned_with_headlands_for_turns(problem, deepening).plan
+               : searched(problem, deepening, Explain::kNo).plan;
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
   ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);

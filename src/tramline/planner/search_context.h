@@ -58,7 +58,7 @@ class SearchContext {
   bool layout_only_ = false;
   bool bound_ = true;
   bool in_parts_ = false;
-  double from_ = 0, to_ = 1;  ///< of the whole
+  double from_ = 0, to_ = 1;                ///< of the whole
   std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback
 };
 

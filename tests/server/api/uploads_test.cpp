@@ -47,8 +47,8 @@ TEST_F(ServerTest, ListsAWholeRegisterByItsNumbersWithWhatGrowsThere) {
     features.push_back({{"type", "Feature"},
                         {"properties", {{"FLIK", fmt::format("DE{}", i)}, {"Kultur", "oats"}}},
                         {"geometry", square()}});
-  const Got sent = served.upload(
-      "register.geojson", ordered_json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+  const Got sent = served.upload("register.geojson",
+                                 ordered_json{{"type", "FeatureCollection"}, {"features", features}}.dump());
   ASSERT_EQ(sent.status, 201) << sent.text;
   ASSERT_EQ(sent.json["features"].size(), kMany);
   EXPECT_EQ(sent.json["features_total"], kMany);
@@ -56,8 +56,8 @@ TEST_F(ServerTest, ListsAWholeRegisterByItsNumbersWithWhatGrowsThere) {
   EXPECT_EQ(last["name"], "DE599");
   EXPECT_EQ(last["crop"], "oats");
   EXPECT_EQ(last["attributes"]["FLIK"], "DE599");
-  const Got one =
-      served.upload("one.geojson", ordered_json{{"type", "FeatureCollection"}, {"features", {features[0]}}}.dump());
+  const Got one = served.upload(
+      "one.geojson", ordered_json{{"type", "FeatureCollection"}, {"features", {features[0]}}}.dump());
   const double admitted_m2 = one.json["features"][0]["area_m2"];
   EXPECT_NEAR(last["area_m2"].get<double>(), admitted_m2, 0.005 * admitted_m2) << "about the area";
   EXPECT_EQ(one.json["features"][0]["name"], "DE0");

@@ -58,8 +58,8 @@ export async function takeFields(sent: Upload): Promise<void> {
 }
 
 const LONGEST = 80;
-const storeFeature = (upload: Upload, { fid, layer, name }: UploadedFeature) =>
-  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }), ...(name ? { name: name.slice(0, LONGEST) } : {}) });
+const storeFeature = (upload: Upload, { fid, layer, name, crop }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }), ...(name ? { name: name.slice(0, LONGEST) } : {}), ...(crop ? { crop: crop.slice(0, LONGEST) } : {}) });
 
 let stopped = false;
 export const stopTaking = () => void (stopped = true);
@@ -114,7 +114,7 @@ export async function storeDrawnField(name: string, geometry: Geometry): Promise
   await loadFields();
 }
 
-export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[]; boundary?: Geometry }): Promise<void> {
+export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[]; boundary?: Geometry; crop?: string; tags?: string[] }): Promise<void> {
   const open = fields.get().open;
   if (!open) return;
   await api.changeField(open.id, change);

@@ -75,7 +75,7 @@ export const api = {
   fields: () => json<T.FieldItem[]>('GET', '/fields'),
   field: (field: string) => json<T.FieldFull>('GET', `/fields/${id(field)}`),
   storeField: (request: Record<string, unknown>) => json<T.FieldFull>('POST', '/fields', request),
-  changeField: (field: string, change: { name?: string; add?: T.ObstacleDrawn[]; remove?: number[]; boundary?: T.Geometry }) =>
+  changeField: (field: string, change: { name?: string; add?: T.ObstacleDrawn[]; remove?: number[]; boundary?: T.Geometry; crop?: string; tags?: string[] }) =>
     json<T.FieldFull>('PATCH', `/fields/${id(field)}`, change),
   deleteField: (field: string) => json<void>('DELETE', `/fields/${id(field)}`),
 

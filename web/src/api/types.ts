@@ -73,6 +73,11 @@ export interface FieldItem {
   created: string;
   /** When its shape was changed last; empty: never. */
   reshaped: string;
+  crop: string;
+  tags: string[];
+  /** Only in the list: few corners, for a map of all fields. */
+  outline?: Geometry;
+  last_plan?: { id: string; created: string; width_m: number; hours: number | null; euros: number | null } | null;
 }
 export interface Repair {
   what: string;

@@ -11,6 +11,7 @@ import type { LiveMap } from './live_map';
 import { DAY, NIGHT } from './palette';
 import { followChoosing } from './show_choosing';
 import { followDrawing } from './show_drawing';
+import { followFarm } from './show_farm';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
 import { followRoutePlay } from './show_route_play';
@@ -123,6 +124,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   keepGrid(map, scaled);
   keepTheme(map);
   keepTiles(map, shown.visible);
+  followFarm(shown);
   followField(shown);
   followPlan(shown);
   followWork(shown);

@@ -6,6 +6,7 @@ import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
 import { choosingLayers } from './show_choosing';
 import { routePlayLayers } from './show_route_play';
+import { farmLayers } from './show_farm';
 import { drawingLayers } from './drawing_layers';
 import { gridLayers } from './grid';
 
@@ -17,7 +18,7 @@ export const SOURCES = [
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges', 'choosing', 'chosen', 'route-driven', 'route-machine',
+  'work:line', 'work:machine', 'drawing', 'edges', 'farm', 'choosing', 'chosen', 'route-driven', 'route-machine',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 
@@ -38,6 +39,7 @@ function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[
     { id: 'backdrop', type: 'background', paint: { 'background-color': c.Backdrop } },
     ...(tiles ? [{ id: 'tiles', type: 'raster' as const, source: 'tiles', layout: { visibility: 'none' as const }, paint: { 'raster-brightness-max': night ? 0.55 : 1, 'raster-fade-duration': 0 } }] : []),
     ...gridLayers(c),
+    ...farmLayers(c),
     ...field.below,
     ...plan.areas,
     ...workLayers(c),

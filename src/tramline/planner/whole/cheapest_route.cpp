@@ -41,7 +41,10 @@ class Comparison {
  public:
   Comparison(const PlanningProblem& problem, const std::vector<Plan>& layouts, Compare compare,
              const SearchContext& context)
-      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layouts, context.uncounted()) {
+      : problem_(problem),
+        compare_(compare),
+        context_(context),
+        layouts_(problem, layouts, context.uncounted()) {
     problem_.settings.turns = TurnPlanning::kNone;
   }
 

@@ -19,6 +19,10 @@ export function OpenField({ field }: { field: FieldFull }) {
         {field.passable > 0 && ` · ${plural(field.passable, 'passable strip')}`}
         {!field.geodetic && ' · plain metres'}
       </p>
+      <div class="two">
+        <TitleField key={`${field.id} crop`} label="Crop" seen value={field.crop} save={(crop) => void attempt(() => changeField({ crop }))} />
+        <TitleField key={`${field.id} tags`} label="Tags" seen value={field.tags.join(', ')} save={(text) => void attempt(() => changeField({ tags: text.split(/[,;#]/).map((tag) => tag.trim()).filter((tag) => tag !== '') }))} />
+      </div>
       <Findings field={field} />
       <Obstacles field={field} />
       <AddObstacle />

@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { complain } from '../../actions/notices';
 import { metres } from '../../format';
+import { farmBox } from '../../map/boxes';
 import { engine, loadEngine } from '../../map/engine_loader';
 import type { Scale } from '../../map/grid';
 import { Icon } from '../../parts/icon';
@@ -63,7 +64,7 @@ function MapButtons() {
   const tilesOn = useStore(session, (value) => value.tiles);
   const fitAll = () => {
     const view = session.get().view;
-    const box = (view === 'review' ? review.get().drive?.bbox : null) ?? fields.get().open?.bbox;
+    const box = (view === 'review' ? review.get().drive?.bbox : null) ?? fields.get().open?.bbox ?? farmBox(fields.get().list ?? []);
     if (box) engine()?.fit(box);
   };
   return (
