@@ -59,7 +59,11 @@ export async function drawn(page, layer) {
   return page.evaluate((name) => window.tramlineMap.queryRenderedFeatures({ layers: [name] }).length, layer);
 }
 
-export const visible = (page, layer) => page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
+/** Whether a layer is switched on, once all layers of the plan have come. */
+export async function visible(page, layer) {
+  await page.waitForSelector('.map[aria-busy=false]');
+  return page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
+}
 
 /** The picture stands still: nothing is loading or moving. */
 export const still = (page) =>

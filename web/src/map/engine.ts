@@ -16,7 +16,7 @@ import { followField } from './show_field';
 import { followPlan } from './show_plan';
 import { followRoutePlay } from './show_route_play';
 import { followWork } from './show_work';
-import { mapStyle } from './style';
+import { mapStyle } from './layers/style';
 
 const START: Place = [10, 51];
 let shown: LiveMap | null = null;

@@ -6,7 +6,7 @@ import { replay } from '../state/replay';
 import { session } from '../state/session';
 import { NOTHING, type LiveMap } from './live_map';
 import { degreeLengths } from './metres';
-import { PARTS_OF } from './plan_layers';
+import { PARTS_OF } from './layers/plan_layers';
 import { endsOf } from './route_ends';
 
 /** Lines nearer to one another than this are a grey area, and cost as much to draw as if they were seen, px. */

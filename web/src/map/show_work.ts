@@ -6,8 +6,8 @@ import { DRIVE_LAYERS, review } from '../state/review';
 import { session } from '../state/session';
 import { fit } from './camera';
 import { collection, NOTHING, type LiveMap } from './live_map';
-import { TILE_SOURCES } from './style';
-import { DRIVE_PARTS } from './work_layers';
+import { TILE_SOURCES } from './layers/style';
+import { DRIVE_PARTS } from './layers/work_layers';
 
 type Polygons = WorkTile['covered'];
 const LAND_KINDS = ['covered', 'repeated'] as const;

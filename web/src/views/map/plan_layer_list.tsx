@@ -4,7 +4,7 @@ import { switchLayer } from '../../actions/plans';
 import type { LayerItem } from '../../api/types';
 import { area, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
-import { PARTS_OF } from '../../map/plan_layers';
+import { PARTS_OF } from '../../map/layers/plan_layers';
 import { Switch } from '../../parts/switch';
 import { isShown, plans } from '../../state/plans';
 import { isNight, session } from '../../state/session';

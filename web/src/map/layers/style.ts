@@ -1,14 +1,14 @@
 // The map without anything on it, and which source and layer comes above which.
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
-import { NIGHT, type Colours } from './palette';
+import { NIGHT, type Colours } from '../palette';
 import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
-import { choosingLayers } from './show_choosing';
-import { routePlayLayers } from './show_route_play';
-import { farmLayers } from './show_farm';
+import { choosingLayers } from '../show_choosing';
+import { routePlayLayers } from '../show_route_play';
+import { farmLayers } from '../show_farm';
 import { drawingLayers } from './drawing_layers';
-import { gridLayers } from './grid';
+import { gridLayers } from '../grid';
 
 const empty = { type: 'FeatureCollection' as const, features: [] };
 

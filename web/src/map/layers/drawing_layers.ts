@@ -1,6 +1,6 @@
 // What is being drawn, and the edges that may be picked.
 import type { LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 export const drawingLayers = (c: Colours): LayerSpecification[] => [
   {

@@ -1,6 +1,6 @@
 // Every layer of a plan, as the library's pictures draw it.
 import type { ExpressionSpecification, LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 /** One of eight tints, in turn. */
 const tint = (c: Colours): ExpressionSpecification =>
