@@ -51,7 +51,7 @@ const std::array kThirdParty = {
     ThirdParty{"gdal", {"io"}},
     ThirdParty{"ogr", {"io"}},
     ThirdParty{"cpl_", {"io"}},
-    ThirdParty{"zlib.h", {"io"}},
+    ThirdParty{"zlib.h", {"io", "apps"}},
     ThirdParty{"cairo", {"render"}},
     ThirdParty{"tbb/", {"planner", "coverage", "apps"}, true},
     ThirdParty{"oneapi/", {"planner", "coverage", "apps"}, true},

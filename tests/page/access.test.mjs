@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { NARROW } from './support/browser.mjs';
 import { flow } from './support/flow.mjs';
-import { figure, goTo, makePlan, mapSettled, newPlan, openField, planShown } from './support/page.mjs';
+import { figure, goTo, makePlan, mapSettled, newPlan, openField, planShown, planTracks } from './support/page.mjs';
 import { example } from './support/server.mjs';
 
 /** Presses Tab until the control with this name has the focus. */
@@ -89,13 +89,13 @@ async function assertComfort(page, where) {
 flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: true }, async ({ page }) => {
   await assertComfort(page, 'the first page');
   await page.getByLabel('Choose a file with a field').setInputFiles(example('two-farms.gpkg'));
-  await page.getByLabel('Search by name or area').waitFor();
+  await page.getByLabel('Search by name, area or any other attribute').waitFor();
   await page.locator('.tick input').first().check();
   await assertComfort(page, 'a file of several fields');
   await page.getByRole('button', { name: 'Back' }).click();
   await openField(page, example('riverside.geojson'));
   await assertComfort(page, 'fields');
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   await assertComfort(page, 'plan');
   const hash = new URL(page.url()).hash;
@@ -104,7 +104,7 @@ flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: tr
   await page.getByRole('button', { name: 'Check this plan' }).click();
   await page.getByText('The plan holds').waitFor({ timeout: 60_000 });
   await assertComfort(page, 'a draft that was checked');
-  await page.getByRole('radio', { name: 'Sliders' }).evaluate((radio) => radio.click());
+  await page.getByRole('radio', { name: 'Tracks, by sliders' }).evaluate((radio) => radio.click());
   await assertComfort(page, 'plan with sliders');
   await page.getByRole('button', { name: 'Draw a line' }).evaluate((button) => button.click());
   await assertComfort(page, 'drawing');
@@ -124,7 +124,7 @@ flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: tr
 
 flow('on a phone nothing slides over the map, and a message is in sight wherever one is', { viewport: NARROW, touch: true, expected: [/status of 4/] }, async ({ page }) => {
   await openField(page, example('riverside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const covered = await page.evaluate(async () => {
     const found = [];

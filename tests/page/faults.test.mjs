@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { flow } from './support/flow.mjs';
-import { chooseFile, goTo, mapReady, openField } from './support/page.mjs';
+import { chooseFile, goTo, mapReady, openField, planTracks } from './support/page.mjs';
 import { example } from './support/server.mjs';
 
 const alert = (page) => page.getByRole('alert').first();
@@ -48,7 +48,7 @@ flow('a file larger than the limit is not even sent', {}, async ({ page, server 
 
 flow('a number that cannot be', {}, async ({ page }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   const width = page.getByLabel('Working width');
   await width.fill('-3');
   assert.match(await page.locator('.fault').first().innerText(), /Type a number from 0\.2 to 100\./);

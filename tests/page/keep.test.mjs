@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { flow } from './support/flow.mjs';
-import { chooseFile, figure, goTo, makePlan, newPlan, openField, panel } from './support/page.mjs';
+import { chooseFile, figure, goTo, makePlan, newPlan, openField, panel, planTracks } from './support/page.mjs';
 import { example, tramline } from './support/server.mjs';
 
 const ask = async (server, path) => (await fetch(`${server.address}/api/v1${path}`)).json();
@@ -31,7 +31,7 @@ function manyFields(folder, many) {
 
 flow('many fields in a file: search, by keyboard too, and store several at once', {}, async ({ page, server }) => {
   await chooseFile(page, 'Choose a file with a field', manyFields(server.folder, 30));
-  const search = page.getByLabel('Search by name or area');
+  const search = page.getByLabel('Search by name, area or any other attribute');
   await search.waitFor();
   const cards = page.locator('#features .card');
   assert.equal(await cards.count(), 30);
@@ -62,7 +62,7 @@ flow('a long list of stored fields has a search, too', {}, async ({ page, server
   await page.getByLabel('All 12 fields').check();
   await page.getByRole('button', { name: 'Store 12 fields' }).click();
   await page.getByText('12 fields of many.geojson are stored').waitFor();
-  await page.getByLabel('Search by name or area').fill('meadow 10');
+  await page.getByLabel('Search by name, crop, tag or area').fill('meadow 10');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await page.getByRole('region', { name: 'Open field: meadow-10' }).waitFor();
@@ -70,7 +70,7 @@ flow('a long list of stored fields has a search, too', {}, async ({ page, server
 
 flow('plans made on the way replace one another, and those that are wanted stay', {}, async ({ page, server }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const asked = openId(page, 'plan');
   const field = openId(page, 'field');
@@ -108,7 +108,7 @@ flow('plans made on the way replace one another, and those that are wanted stay'
 
 flow('a plan is renamed and deleted', {}, async ({ page, server }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const plan = openId(page, 'plan');
   await page.getByLabel('Name of the plan').fill('first cut');
@@ -124,7 +124,7 @@ flow('a plan is renamed and deleted', {}, async ({ page, server }) => {
 
 flow('a plan is checked, and the verdict has its numbers', {}, async ({ page, server }) => {
   await openField(page, example('riverside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   await page.getByRole('button', { name: 'Check this plan' }).click();
   await page.getByText('The plan holds:').waitFor({ timeout: 60_000 });
@@ -139,7 +139,7 @@ flow('a plan is checked, and the verdict has its numbers', {}, async ({ page, se
 
 flow('a plan that does not hold says where', {}, async ({ page, server }) => {
   await openField(page, example('riverside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const file = join(server.folder, 'plans', `${openId(page, 'plan')}.gpkg`);
   // A plan from elsewhere whose file says less overlap than there is.
@@ -159,7 +159,7 @@ db.commit()`, file]);
 
 flow('a machine is stored, renamed, replaced and deleted', {}, async ({ page, server }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await page.getByLabel('Working width', { exact: true }).fill('24');
   await page.getByText('More about the machine').click();
   await page.getByLabel('Store this machine under a name').fill('sprayer');

@@ -18,8 +18,10 @@ const top = (page) => page.locator('main.panel').evaluate((panel) => panel.scrol
 
 async function plan(page) {
   await goTo(page, 'Plan');
-  await page.getByLabel('Headland passes').fill('1');
   await makePlan(page);
+  await page.waitForSelector('.map[aria-busy=false]');
+  await page.locator('.maplibregl-canvas').focus(); // the figures have the focus after planning
+  await page.evaluate(() => document.activeElement.blur());
   await top(page);
 }
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { flow, realFile } from './support/flow.mjs';
-import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, planTracks, visible } from './support/page.mjs';
 import { example, tramline } from './support/server.mjs';
 
 const check = (file, field) => execFileSync(tramline, ['check', file, ...(field ? ['--field', field] : [])], { encoding: 'utf8' });
@@ -17,7 +17,7 @@ async function download(page, name, folder) {
 
 /** What a plan has to do with its figures, whatever the field. */
 async function planCompareExport({ page, server }, field) {
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await page.getByLabel('Swaths end at a slanting edge').selectOption('inside');
   await makePlan(page);
   assert.ok((await drawn(page, 'plan:tracks')) > 0, 'tracks are on the map');
@@ -80,7 +80,7 @@ flow('several fields: choose one, go back to it after a reload', {}, async ({ pa
 
 flow('every file can be taken away', {}, async ({ page, server }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   for (const name of [/GeoPackage/, /GeoJSON/, /KML/, /Shapefiles/, /FlatGeobuf/, /Picture/, /Drawing/, /Sheet/]) {
     const file = await download(page, name, server.folder);
@@ -91,7 +91,7 @@ flow('every file can be taken away', {}, async ({ page, server }) => {
 
 flow('layers are switched on and off, with their sizes beside them', {}, async ({ page }) => {
   await openField(page, example('riverside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await page.getByLabel('Headland passes').fill('1');
   await makePlan(page);
   for (const [label, layer] of [['Overlap', 'plan:overlap'], ['Tracks', 'plan:tracks'], ['Headland passes', 'plan:headland_passes']]) {
@@ -111,7 +111,7 @@ flow('layers are switched on and off, with their sizes beside them', {}, async (
 
 flow('tracks along an edge of the field, picked from the list', {}, async ({ page }) => {
   await openField(page, example('roadside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   const edge = page.getByLabel('Parallel to');
   const label = await edge.locator('option', { hasText: /^edge 2:/ }).innerText();
@@ -133,7 +133,7 @@ const inMetres = (text) => Number(text.replace(/[^\d.]/g, '')) * (text.includes(
 
 flow('the whole route: legs by kind on the map, their sums, a gate', {}, async ({ page }) => {
   await openField(page, example('terrace.kml'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await page.getByLabel('Headland passes').fill('2');
   await page.getByRole('switch', { name: /^Plan every metre/ }).check({ force: true });
   await makePlan(page);

@@ -75,9 +75,9 @@ flow('a log from elsewhere is told of at once, with ways to go on', {}, async ({
   await goTo(page, 'Review');
   await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
   // The field that it was driven on is stored: it is chosen, and the page says why.
-  await page.getByText(/not driven on roadside, which is open, but .* km away from it\. It was driven on riverside, which is chosen/).waitFor();
+  await page.getByText(/not driven on roadside, which is open, but .* km away from it\. It was driven on Riverside, which is chosen/).waitFor();
   const field = page.getByLabel('Field', { exact: true });
-  assert.equal(await field.locator('option:checked').innerText(), 'riverside');
+  assert.equal(await field.locator('option:checked').innerText(), 'Riverside');
   // Against better knowledge: what is wrong, and two ways on.
   await field.selectOption({ label: 'roadside' });
   await page.getByRole('alert').filter({ hasText: 'This log was not driven on roadside' }).waitFor();
@@ -89,7 +89,7 @@ flow('a log from elsewhere is told of at once, with ways to go on', {}, async ({
 
   await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
   await page.getByLabel('Field', { exact: true }).selectOption({ label: 'roadside' });
-  await page.getByRole('button', { name: 'Show it on riverside' }).click();
+  await page.getByRole('button', { name: 'Show it on Riverside' }).click();
   await page.getByText('Gaps, the largest first').waitFor({ timeout: 60_000 });
 });
 
@@ -100,7 +100,7 @@ flow('watch a machine over the network, stop it, and see its drive', {}, async (
     await goTo(page, 'Review');
     await page.getByText('Watch a machine at work').click();
     await page.getByLabel('Host and port').fill(`127.0.0.1:${tractor.port}`);
-    await page.getByLabel('Field', { exact: true }).selectOption({ label: 'riverside' });
+    await page.getByLabel('Field', { exact: true }).selectOption({ label: 'Riverside' });
     await page.getByRole('button', { name: 'Watch it' }).click();
     await page.getByLabel('Worked so far').waitFor({ timeout: 30_000 });
     const first = await figure(page, 'Covered');
@@ -120,7 +120,7 @@ flow('a real log from another continent, with a field open: it is replayed witho
   await openField(page, example('riverside.geojson'));
   await goTo(page, 'Review');
   await chooseFile(page, 'Choose the log of a machine', sprayer.file);
-  await page.getByText(/not driven on riverside, which is open, but [78],\d\d0 km away from it\. None of your fields lies there/).waitFor();
+  await page.getByText(/not driven on Riverside, which is open, but [78],\d\d0 km away from it\. None of your fields lies there/).waitFor();
   await page.getByRole('button', { name: 'Show what was worked' }).click();
   await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 30_000 });
   assert.ok(Math.abs((await figure(page, 'Covered')) - 0.81) < 0.02, 'as tramline evaluate says');

@@ -1,7 +1,7 @@
 // How fast the page is: first paint on loopback, and frames a second while a map with 5,000 swaths is moved,
 // drawn in software. Prints one line of JSON.
 import { closePage, openPage, startBrowser } from './support/browser.mjs';
-import { goTo, makePlan, mapReady, openField, still } from './support/page.mjs';
+import { goTo, makePlan, mapReady, openField, planTracks, still } from './support/page.mjs';
 import { example, startServer } from './support/server.mjs';
 
 const SWATHS = 5000;
@@ -50,7 +50,7 @@ try {
   const first_paint_ms = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
   const map_ms = await page.evaluate(() => performance.now());
   await openField(page, example('riverside.geojson'));
-  await goTo(page, 'Plan');
+  await planTracks(page);
   const box = await page.evaluate(() => { const b = window.tramlineMap.getBounds(); return [b.getWest(), b.getSouth(), b.getEast(), b.getNorth()]; });
   const { swaths, tracks } = manySwaths(box);
   for (const [name, features] of [['swaths', swaths], ['tracks', tracks]]) {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { join } from 'node:path';
 import { flow } from './support/flow.mjs';
-import { goTo, makePlan, openField, panel, still } from './support/page.mjs';
+import { goTo, makePlan, openField, panel, planTracks, still } from './support/page.mjs';
 import { example } from './support/server.mjs';
 import { startTiles } from './support/tiles.mjs';
 
@@ -27,7 +27,7 @@ flow('a background is asked for when it is switched on', { args: ['--tiles', til
   assert.ok(tiles.asked() > 0);
   assert.ok(await loadedTiles(page));
   await shot(page, 'tiles-field');
-  await goTo(page, 'Plan');
+  await planTracks(page);
   await makePlan(page);
   await shot(page, 'tiles-plan');
   await page.getByRole('button', { name: 'Change to the night theme' }).click();
@@ -47,7 +47,7 @@ flow('a background that does not come is told of once, and all else works', { ar
     await notice.waitFor();
     assert.equal(await notice.count(), 1);
     assert.match(await page.locator('.attribution').innerText(), /^Background: 127\.0\.0\.1:\d+$/);
-    await goTo(page, 'Plan');
+    await planTracks(page);
     await makePlan(page);
     // With tiles that fail the map may never call itself idle; what it draws is what counts.
     await page.waitForFunction(() => window.tramlineMap.queryRenderedFeatures({ layers: ['plan:tracks'] }).length > 10);

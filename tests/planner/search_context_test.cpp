@@ -63,6 +63,30 @@ TEST(SearchContext, AProgressThatThrowsEndsASearchWhereverItIs) {
   }
 }
 
+TEST(SearchContext, AWholePlanIsToldInThousandthsOfWhichNoneIsTakenBack) {
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 6;
+  PlanSettings settings;
+  settings.turns = TurnPlanning::kRoute;
+  settings.aim = Aim::kWholeCost;
+  settings.headland_rule = HeadlandRule::kTurns;
+  settings.boundary = EdgeKind::kHard;
+  int last = 0, steps = 0;
+  const Progress progress = [&](int done, int total) {
+    if (total == 0) return Demand::kGoOn;  // nothing is known yet
+    EXPECT_EQ(total, 1000);
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, total);
+    steps += done > last ? 1 : 0;
+    last = done;
+    return Demand::kGoOn;
+  };
+  plan_field(wavy_field(), machine, {}, settings, 1, progress);
+  EXPECT_GT(last, 800) << "all steps but the last are behind it";
+  EXPECT_GT(steps, 5) << "it is told while it goes on";
+}
+
 TEST(SearchContext, AComparisonIsStoppedWithinItsFirstSearch) {
   Machine machine;
   machine.width_m = 3;

@@ -9,6 +9,7 @@ import { Locked } from './views/locked';
 import { Legend } from './views/map/legend';
 import { MapHost } from './views/map/map_host';
 import { Notices } from './views/notices';
+import { Tour } from './views/tour';
 import { PlanView } from './views/plan/plan_view';
 import { ReviewView } from './views/review/review_view';
 
@@ -28,6 +29,7 @@ export function App() {
       <Tabs />
       <main class="panel" id="panel" tabIndex={-1}>
         <Notices />
+        {!locked && <Tour />}
         {locked ? <Locked /> : <View />}
       </main>
       {!locked && <MapHost />}

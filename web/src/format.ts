@@ -26,6 +26,8 @@ export const money = (value: Maybe) =>
   missing(value) ? NONE : `€${digits(value, Math.abs(value) < 1e5 ? 2 : 0)}`.replace('€−', '−€');
 export const percent = (share: Maybe) => (missing(share) ? NONE : `${digits(share * 100, 1)}\u00a0%`);
 export const hours = (h: Maybe) => (missing(h) ? NONE : `${digits(h, 2)} h`);
+export const litres = (l: Maybe) => (missing(l) ? NONE : `${digits(l, Math.abs(l) < 10 ? 1 : 0)} l`);
+export const speed = (mps: Maybe) => (missing(mps) ? NONE : `${digits(mps * 3.6, 1)} km/h`);
 export const rate = (ha_per_hour: Maybe) => (missing(ha_per_hour) ? NONE : `${digits(ha_per_hour, 1)} ha/h`);
 export const degrees = (deg: Maybe) => (missing(deg) ? NONE : `${digits(deg, 1)}°`);
 

@@ -1,12 +1,17 @@
 import { render } from 'preact';
-import { complain } from './actions/notices';
+import { readAgain } from './actions/feeds';
+import { attempt, complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
+import { followWidth } from './actions/rates';
+import { onLostFeed } from './actions/replay';
 import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';
 import { App } from './app';
 
 applyTheme();
+// A page of a machine opens at its top, whatever was read last.
+history.scrollRestoration = 'manual';
 render(<App />, document.getElementById('page')!);
 // A file that misses its place must not make the browser leave the page.
 addEventListener('dragover', (event) => event.preventDefault());
@@ -16,4 +21,6 @@ addEventListener('drop', (event) => {
 });
 watchServer(() => void comeBack());
 planAtChanges();
+followWidth();
+onLostFeed((feed) => attempt(() => readAgain(feed)).then(() => {}));
 void start();

@@ -44,6 +44,13 @@ copyFileSync(join(maplibre, 'maplibre-gl-csp-worker.js'), join(out, 'map-worker.
 for (const file of readdirSync(join(web, 'public'))) {
   if (file !== 'index.html') copyFileSync(join(web, 'public', file), join(out, file));
 }
+// The example farm of an empty store: fields drawn for the project, in one file.
+const EXAMPLES = ['riverside', 'roadside'];
+const farm = EXAMPLES.flatMap((name) =>
+  JSON.parse(readFileSync(join(web, '..', 'examples', `${name}.geojson`), 'utf8')).features.map((feature) => ({
+    ...feature, properties: { ...feature.properties, name: feature.properties.name ?? `${name[0].toUpperCase()}${name.slice(1)}` },
+  })));
+writeFileSync(join(out, 'example-farm.json'), JSON.stringify({ type: 'FeatureCollection', features: farm }));
 const index = readFileSync(join(web, 'public', 'index.html'), 'utf8')
   .replace('app.js', named('src/main.tsx'))
   .replace('style.css', named('src/style/page.css'));

@@ -13,7 +13,9 @@
 #include "server/input/geometry_input.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
+#include "tramline/admission/admit.h"
 #include "tramline/admission/read_obstacles.h"
+#include "tramline/geodesy/crs.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {
@@ -93,7 +95,59 @@ void add_obstacle(Field& field, const ordered_json& json, std::size_t number) {
         fmt::format("the shape drawn as obstacle {} does not reach the field; draw it inside", number));
 }
 
+/// A place of the map, or one in the field's metres, in the coordinates of the field's input.
+class InputPlace {
+ public:
+  explicit InputPlace(const LocalFrame& frame)
+      : plain_(!frame.geodetic), origin_{frame.origin_x_m, frame.origin_y_m}, place_(frame) {}
+
+  Point of_map(Point lonlat) const { return plain_ ? place_.to_local(lonlat) + origin_ : lonlat; }
+  Point of_field(Point local_m) const { return plain_ ? local_m + origin_ : place_.to_lonlat(local_m); }
+
+ private:
+  bool plain_;
+  Point origin_;
+  ShownPlace place_;
+};
+
+LooseObstacle loose(const Obstacle& obstacle, const InputPlace& place) {
+  LooseObstacle out{obstacle.origin, obstacle.kind, {}, {}, {}, {}};
+  const auto ring_of = [&](const Ring& ring) {
+    RawRing raw;
+    for (const Point p : ring) {
+      raw.points.push_back(place.of_field(p));
+      out.bounds.extend(raw.points.back());
+    }
+    return raw;
+  };
+  RawPolygon polygon{{ring_of(obstacle.shape.outer)}};
+  for (const Ring& hole : obstacle.shape.holes) polygon.rings.push_back(ring_of(hole));
+  out.polygons.push_back(std::move(polygon));
+  return out;
+}
+
 }  // namespace
+
+Field with_boundary(const Field& field, const ordered_json& boundary) {
+  RawFeature feature = raw_feature_in(boundary, "boundary");
+  if (feature.polygons.size() != 1) throw bad_input("boundary has to be one polygon");
+  const InputPlace place(field.frame);
+  for (RawRing& ring : feature.polygons.front().rings)
+    for (Point& p : ring.points) p = place.of_map(p);
+  feature.id = field.id;
+  feature.fid = 1;
+  const Crs crs = field.frame.geodetic ? Crs("OGC:CRS84") : Crs();
+  Admission admission = admit(feature, {"the drawing", "drawn", &crs});
+  if (admission.fields.size() != 1)
+    throw bad_input("the boundary crosses itself so that it bounds several fields; draw each by itself");
+  Field out = std::move(admission.fields.front());
+  out.source.input_crs = crs.definition();
+  std::vector<LooseObstacle> obstacles;
+  for (const Obstacle& obstacle : field.obstacles) obstacles.push_back(loose(obstacle, place));
+  std::vector<char> met(obstacles.size(), 0);
+  if (!obstacles.empty()) place_obstacles(out, obstacles, app::FieldOptions{}.obstacle_size_m, met);
+  return out;
+}
 
 Field changed_field(Field field, const ordered_json& remove, const ordered_json& add) {
   remove_obstacles(field, remove);

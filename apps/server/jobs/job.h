@@ -17,7 +17,8 @@ struct JobStatus {
   std::string id;
   std::string kind;  ///< plan, compare, evaluate, repair, check
   JobState state = JobState::kQueued;
-  std::string what;  ///< for people: "planning mill field"
+  std::string what;   ///< for people: "planning mill field"
+  std::string field;  ///< id of the field that it works on; empty: of none, or not known
   int done = 0;
   int total = 0;
   double seconds = 0;             ///< since it began to run

@@ -55,7 +55,8 @@ JobQueue::JobQueue(int at_once, std::size_t most_waiting, std::size_t remembered
   for (int i = 0; i < at_once; ++i) workers_.emplace_back([this] { work(); });
 }
 
-JobStatus JobQueue::submit(const std::string& kind, const std::string& what, Work work) {
+JobStatus JobQueue::submit(const std::string& kind, const std::string& what, Work work,
+                           const std::string& field) {
   const std::lock_guard lock(mutex_);
   const auto waiting = std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) {
     return entry->current.state == JobState::kQueued;
@@ -66,6 +67,7 @@ JobStatus JobQueue::submit(const std::string& kind, const std::string& what, Wor
   status.id = new_id();
   status.kind = kind;
   status.what = what;
+  status.field = field;
   entries_.push_back(std::make_shared<Entry>(*this, std::move(status), std::move(work)));
   wanted_.notify_one();
   return entries_.back()->current;

@@ -27,8 +27,10 @@ class JobQueue {
   JobQueue& operator=(const JobQueue&) = delete;
   ~JobQueue() { stop(); }
 
-  /// `what`: for people. Throws HttpError(kBusy) where too many wait already.
-  JobStatus submit(const std::string& kind, const std::string& what, Work work);
+  /// `what`: for people; `field`: the id of the field that it works on. Throws HttpError(kBusy) where too
+  /// many wait already.
+  JobStatus submit(const std::string& kind, const std::string& what, Work work,
+                   const std::string& field = "");
   std::optional<JobStatus> find(const std::string& id) const;
   /// Unfinished ones first, then those that are over, the latest first.
   std::vector<JobStatus> list() const;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "server/map/detour_layer.h"
+#include "server/map/outside_layer.h"
 #include "tramline/geometry/path/path.h"
 #include "tramline/io/plan/plan_layers.h"
 
@@ -59,6 +60,7 @@ ordered_json layer_list(const io::PlanFile& file) {
   out.push_back(entry(layers::kGivenUp, "Given up", plan.given_up));
   // The figures of the plan: ground worked three times counts twice, which no area of a region can say.
   out.push_back(entry(layers::kOverlap, "Overlap", plan.overlap.size(), tally.overlap_m2));
+  out.push_back(outside_entry(plan));
   out.push_back(entry(layers::kUncovered, "Uncovered", plan.uncovered.size(), tally.uncovered_m2));
   out.push_back(entry(layers::kHeadlandUnworked, "Headland left out", plan.headland.unworked.size(),
                       plan.headland.uncovered_m2));

@@ -90,6 +90,15 @@ RepairRequest repair_request(App& app, const ordered_json& json) {
   return out;
 }
 
+/// What the gaps cost left as they are, and what it costs to work them.
+ordered_json prices_of(const RepairPlan& repair) {
+  return {{"missed_before_m2", repair.missed_before_m2},
+          {"missed_after_m2", repair.missed_after_m2},
+          {"cost_if_left", repair.cost_if_left},
+          {"cost_of_passes", repair.cost_of_passes},
+          {"cost_after", repair.cost_after}};
+}
+
 ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
   const KeptDrive& drive = request.drive;
   const Coverage coverage =
@@ -119,6 +128,7 @@ ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
     notes.name = request.name.empty() ? "gaps of " + drive.name : request.name;
     notes.field = drive.field;
     notes.seconds = part.seconds;
+    notes.explain = {{"repair", prices_of(part.done)}};
     const std::string plan = app.plans.add(part.done.plan, notes).id;
     plans.push_back(
         {{"plan", plan}, {"report", app::repair_json(part.done, request.min_area_m2, part.seconds)}});

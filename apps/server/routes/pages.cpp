@@ -4,14 +4,11 @@
 
 #include "page/page_asset.h"
 #include "page/page_policy.h"
+#include "server/http/packed.h"
 #include "server/routes/routes.h"
 
 namespace tramline::server {
 namespace {
-
-bool takes_gzip(const httplib::Request& request) {
-  return request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
-}
 
 // As a stream of known length: whole bodies are compressed by cpp-httplib, once more, at every request.
 void send(std::string_view bytes, std::string_view type, httplib::Response& response) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "report/explain_report.h"
+#include "report/route_report.h"
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"
@@ -31,7 +32,16 @@ struct PlanRequest {
   bool draft = false;
   std::optional<double> seconds;  ///< for the search; without: until it is through
   std::string name;
+  ordered_json asked;  ///< machine, objective and settings as in the request
 };
+
+/// What decides about the plan, as it was asked for.
+ordered_json asked_in(const ordered_json& json) {
+  ordered_json out = ordered_json::object();
+  for (const char* key : {"machine", "objective", "settings"})
+    if (json.contains(key)) out[key] = json[key];
+  return out;
+}
 
 PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise) {
   const JsonInput input(
@@ -52,6 +62,7 @@ PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise)
   if (out.seconds && *out.seconds <= 0)
     throw bad_input(fmt::format("seconds has to be a number above 0, not {:g}", *out.seconds));
   out.name = name_of(input, "name");
+  out.asked = asked_in(json);
   if (out.draft && !out.name.empty()) throw bad_input("a plan with a name is kept; leave out name or draft");
   return out;
 }
@@ -68,7 +79,8 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
                   request.field->skipped,
                   0,
                   nullptr,
-                  request.draft};
+                  request.draft,
+                  request.asked};
   Plan plan;
   const Field& field = request.field->field;
   if (request.explain) {
@@ -76,6 +88,7 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
         plan_and_explain(field, request.machine, request.objective, request.settings, 0, progress);
     plan = std::move(explained.plan);
     if (explained.why) notes.explain = app::explain_json(*explained.why);
+    if (!explained.routes.empty()) notes.explain["routes"] = app::compared_routes_json(explained.routes);
   } else {
     plan = plan_field(field, request.machine, request.objective, request.settings, 0, progress);
   }
@@ -98,7 +111,7 @@ ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
   const std::string name = request.name.empty() ? request.field->name : request.name;
   return {{"front", app.fronts
                         .add({"", name, request.field, request.machine, request.settings, std::move(found),
-                              seconds_since(start)})
+                              seconds_since(start), request.asked})
                         ->id}};
 }
 
@@ -109,17 +122,19 @@ JobStatus begin_compare(App& app, const ordered_json& json) {
   if (request.draft) throw bad_input("a comparison does not keep a plan; leave draft out");
   require_free_directions(request.settings);
   const std::string what = fmt::format("comparing plans of {}", request.field->name);
-  return app.jobs.submit("compare", what, [&app, request = std::move(request)](JobRun& run) {
-    return compare_plans(app, request, run);
-  });
+  const std::string field = request.field->id;
+  return app.jobs.submit(
+      "compare", what,
+      [&app, request = std::move(request)](JobRun& run) { return compare_plans(app, request, run); }, field);
 }
 
 JobStatus begin_plan(App& app, const ordered_json& json) {
   PlanRequest request = plan_request(app, json, Defaults::kWholePlan);
   const std::string what = fmt::format("planning {}", request.field->name);
-  return app.jobs.submit("plan", what, [&app, request = std::move(request)](JobRun& run) {
-    return make_plan(app, request, run);
-  });
+  const std::string field = request.field->id;
+  return app.jobs.submit(
+      "plan", what,
+      [&app, request = std::move(request)](JobRun& run) { return make_plan(app, request, run); }, field);
 }
 
 }  // namespace tramline::server

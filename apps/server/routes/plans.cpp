@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <string>
 
 #include "report/plan_report.h"
+#include "server/http/packed.h"
 #include "server/http/page_words.h"
 #include "server/input/json_input.h"
 #include "server/map/detour_layer.h"
+#include "server/map/outside_layer.h"
 #include "server/map/plan_layer_list.h"
 #include "server/map/shown_place.h"
 #include "server/routes/routes.h"
@@ -19,6 +22,14 @@ namespace tramline::server {
 namespace {
 
 using nlohmann::ordered_json;
+
+/// Nothing of a field would be left of shapes that deviate more.
+constexpr double kCoarsest_m = 100;
+
+ordered_json route_of(const KeptPlan& plan) {
+  if (!plan.route) return {};
+  return {{"hours", plan.route->hours}, {"litres", plan.route->litres}, {"euros", plan.route->euros}};
+}
 
 ordered_json listed(const KeptPlan& plan) {
   return {{"id", plan.id},
@@ -34,21 +45,47 @@ ordered_json listed(const KeptPlan& plan) {
           {"uncovered_m2", plan.tally.uncovered_m2},
           {"width_m", plan.width_m},
           {"kind", plan.kind},
-          {"draft", plan.draft}};
+          {"draft", plan.draft},
+          {"route", route_of(plan)}};
+}
+
+ordered_json summary_of(const Plan& plan, const PlanNotes& notes) {
+  ordered_json out = app::plan_json(plan, notes.skipped, notes.seconds);
+  out["outside_m2"] = area(land_outside(plan));
+  return out;
 }
 
 ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
   const Plan& plan = opened.file.plan;
-  return {
-      {"id", kept.id},
-      {"name", kept.name},
-      {"field", kept.field},
-      {"created", kept.created},
-      {"kind", kept.kind},
-      {"draft", kept.draft},
-      {"summary", summary_in_page_words(app::plan_json(plan, opened.notes.skipped, opened.notes.seconds))},
-      {"explain", opened.notes.explain},
-      {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
+  return {{"id", kept.id},
+          {"name", kept.name},
+          {"field", kept.field},
+          {"created", kept.created},
+          {"kind", kept.kind},
+          {"draft", kept.draft},
+          {"summary", summary_in_page_words(summary_of(plan, opened.notes))},
+          {"explain", opened.notes.explain},
+          {"asked", opened.notes.asked},
+          {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
+}
+
+/// By how much shapes may deviate, m; 0 where the request does not say.
+double detail_in(const Call& call) {
+  const double detail_m = call.query_number("detail_m");
+  if (std::isnan(detail_m)) return 0;
+  if (detail_m < 0 || detail_m > kCoarsest_m)
+    throw bad_input(fmt::format("detail_m has to lie between 0 and {:g}, not {:g}", kCoarsest_m, detail_m));
+  return detail_m;
+}
+
+std::string layer_of(App& app, const Call& call) {
+  const std::string& layer = call.part("layer");
+  const KeptPlan kept = app.plans.get(call.part("plan"));
+  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan).dump();
+  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan).dump();
+  return while_kept(
+      [&] { app.plans.get(kept.id); },
+      [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_in(call)); });
 }
 
 }  // namespace
@@ -82,15 +119,7 @@ void add_plan_routes(Router& router, App& app) {
     answer(response, layer_list(app.plans.open(call.part("plan")).file));
   });
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
-    if (call.part("layer") == kDetourLayer)
-      return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
-                                  "application/geo+json");
-    const KeptPlan kept = app.plans.get(call.part("plan"));
-    response.set_content(
-        while_kept(
-            [&] { app.plans.get(kept.id); },
-            [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")); }),
-        "application/geo+json");
+    send_geojson(call.request(), response, layer_of(app, call));
   });
 }
 

@@ -17,12 +17,12 @@
 namespace tramline::server {
 namespace {
 
-constexpr const char* kKind = "fields";
+constexpr const char* kFields = "fields";
 
 }  // namespace
 
 FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
-  for (const std::string& id : folder.ids(kKind)) {
+  for (const std::string& id : folder.ids(kFields)) {
     try {
       fields_[id] = read(id);
     } catch (const Error& error) {
@@ -32,16 +32,27 @@ FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warn
 }
 
 KeptFieldPtr FieldStore::read(const std::string& id) const {
-  io::StoredField stored = io::read_field(folder_.file(kKind, id));
-  KeptField out{id, remark(stored.remarks, "name"), remark(stored.remarks, "created"),
-                std::move(stored.field), skipped_in(remark(stored.remarks, "skipped"))};
+  io::StoredField stored = io::read_field(folder_.file(kFields, id));
+  KeptField out{id,
+                remark(stored.remarks, "name"),
+                remark(stored.remarks, "created"),
+                std::move(stored.field),
+                skipped_in(remark(stored.remarks, "skipped")),
+                remark(stored.remarks, "crop"),
+                words_in(remark(stored.remarks, "tags")),
+                remark(stored.remarks, "reshaped")};
   if (out.name.empty()) out.name = out.field.id;
   return std::make_shared<const KeptField>(std::move(out));
 }
 
 KeptFieldPtr FieldStore::write(const KeptField& kept) {
-  io::write_field(kept.field, folder_.file(kKind, kept.id),
-                  {{"name", kept.name}, {"created", kept.created}, {"skipped", skipped_text(kept.skipped)}});
+  io::write_field(kept.field, folder_.file(kFields, kept.id),
+                  {{"name", kept.name},
+                   {"created", kept.created},
+                   {"skipped", skipped_text(kept.skipped)},
+                   {"reshaped", kept.reshaped},
+                   {"crop", kept.crop},
+                   {"tags", words_text(kept.tags)}});
   KeptFieldPtr out = read(kept.id);
   const std::lock_guard lock(mutex_);
   fields_[kept.id] = out;
@@ -62,9 +73,9 @@ KeptFieldPtr FieldStore::get(const std::string& id) const {
   return found->second;
 }
 
-KeptFieldPtr FieldStore::add(const Field& field, const std::string& name,
-                             const std::vector<Skipped>& skipped) {
-  return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped});
+KeptFieldPtr FieldStore::add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped,
+                             const std::string& crop) {
+  return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped, crop});
 }
 
 KeptFieldPtr FieldStore::change(const std::string& id, const std::function<void(KeptField&)>& how) {
@@ -79,7 +90,7 @@ void FieldStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   if (fields_.erase(id) == 0) throw not_found("field", id);
   std::error_code ignored;
-  std::filesystem::remove(folder_.file(kKind, id), ignored);
+  std::filesystem::remove(folder_.file(kFields, id), ignored);
 }
 
 }  // namespace tramline::server

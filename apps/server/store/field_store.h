@@ -19,6 +19,9 @@ struct KeptField {
   std::string created;  ///< "2026-03-14T08:15:00Z"
   Field field;
   std::vector<Skipped> skipped;  ///< of its file
+  std::string crop{};
+  std::vector<std::string> tags{};  ///< words of the user's own, to find fields by
+  std::string reshaped{};           ///< when its boundary or an obstacle was changed last; empty: never
 };
 using KeptFieldPtr = std::shared_ptr<const KeptField>;
 
@@ -33,7 +36,8 @@ class FieldStore {
   /// Throws HttpError(kNotFound).
   KeptFieldPtr get(const std::string& id) const;
   /// What comes back is what the file holds.
-  KeptFieldPtr add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped);
+  KeptFieldPtr add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped,
+                   const std::string& crop = "");
   /// Lets `how` change it; one change at a time, so that none undoes another, and none brings back what is
   /// deleted. Throws HttpError(kNotFound), and what `how` throws: then nothing is changed.
   KeptFieldPtr change(const std::string& id, const std::function<void(KeptField&)>& how);

@@ -1,6 +1,7 @@
 #pragma once
 // A front with the request it was computed for.
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "server/store/field_store.h"
@@ -16,6 +17,7 @@ struct KeptFront {
   PlanSettings settings;
   TradeOff found;
   double seconds = 0;
+  nlohmann::ordered_json asked{};  ///< see PlanNotes
 };
 
 }  // namespace tramline::server

@@ -17,27 +17,50 @@
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/write_plan.h"
+#include "tramline/model/objective.h"
 
 namespace tramline::server {
 namespace {
 
-constexpr const char* kKind = "plans";
+using nlohmann::ordered_json;
 
-io::Metadata remarks_of(const std::string& created, const PlanNotes& notes) {
+constexpr const char* kPlans = "plans";
+
+ordered_json object_in(const std::string& text) {
+  auto out = ordered_json::parse(text, nullptr, false);
+  return out.is_object() ? out : ordered_json();
+}
+
+/// Empty where the plan has no route.
+std::string figures_text(const Plan& plan) {
+  if (!plan.route.planned()) return "";
+  const WholeCost cost = whole_cost(plan);
+  return app::json_line({{"hours", cost.time_s() / 3600}, {"litres", cost.fuel_l}, {"euros", cost.euros()}});
+}
+
+std::optional<RouteFigures> figures_in(const std::string& text) {
+  const ordered_json json = object_in(text);
+  if (json.is_null()) return std::nullopt;
+  return RouteFigures{json.value("hours", 0.0), json.value("litres", 0.0), json.value("euros", 0.0)};
+}
+
+io::Metadata remarks_of(const std::string& created, const Plan& plan, const PlanNotes& notes) {
   return {{"name", notes.name},
           {"field", notes.field},
           {"created", created},
           {"skipped", skipped_text(notes.skipped)},
           {"seconds", fmt::format("{}", notes.seconds)},
           {"explain", app::json_line(notes.explain)},
-          {"draft", notes.draft ? "yes" : ""}};
+          {"draft", notes.draft ? "yes" : ""},
+          {"asked", app::json_line(notes.asked)},
+          {"route", figures_text(plan)}};
 }
 
 PlanNotes notes_in(const io::Metadata& remarks) {
   PlanNotes out{remark(remarks, "name"), remark(remarks, "field"), skipped_in(remark(remarks, "skipped")),
                 std::strtod(remark(remarks, "seconds").c_str(), nullptr), nullptr};
-  const auto explain = nlohmann::ordered_json::parse(remark(remarks, "explain"), nullptr, false);
-  if (explain.is_object()) out.explain = explain;
+  out.explain = object_in(remark(remarks, "explain"));
+  out.asked = object_in(remark(remarks, "asked"));
   out.draft = remark(remarks, "draft") == "yes";
   return out;
 }
@@ -45,7 +68,7 @@ PlanNotes notes_in(const io::Metadata& remarks) {
 }  // namespace
 
 PlanStore::PlanStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
-  for (const std::string& id : folder.ids(kKind)) {
+  for (const std::string& id : folder.ids(kPlans)) {
     try {
       plans_[id] = read(id);
     } catch (const Error& error) {
@@ -55,7 +78,7 @@ PlanStore::PlanStore(const StoreFolder& folder, std::vector<std::string>& warnin
 }
 
 KeptPlan PlanStore::read(const std::string& id) const {
-  const std::filesystem::path path = folder_.file(kKind, id);
+  const std::filesystem::path path = folder_.file(kPlans, id);
   const io::Metadata metadata = io::read_metadata(path, io::kPlanFile);
   Plan plan;
   const int version = io::apply_metadata(metadata, path, plan);
@@ -72,12 +95,13 @@ KeptPlan PlanStore::read(const std::string& id) const {
   out.width_m = plan.machine.width_m;
   out.frame = plan.field.frame;
   out.draft = remark(remarks, "draft") == "yes";
+  out.route = figures_in(remark(remarks, "route"));
   return out;
 }
 
 KeptPlan PlanStore::write(const std::string& id, const std::string& created, const Plan& plan,
                           const PlanNotes& notes) {
-  io::write_plan(plan, folder_.file(kKind, id), remarks_of(created, notes));
+  io::write_plan(plan, folder_.file(kPlans, id), remarks_of(created, plan, notes));
   KeptPlan out = read(id);
   const std::lock_guard lock(mutex_);
   plans_[id] = out;
@@ -99,7 +123,7 @@ void PlanStore::drop_other_drafts(const KeptPlan& newest) {
   std::erase_if(plans_, [&](const auto& entry) {
     const KeptPlan& plan = entry.second;
     if (!plan.draft || plan.field != newest.field || plan.id == newest.id) return false;
-    std::filesystem::remove(folder_.file(kKind, plan.id), ignored);
+    std::filesystem::remove(folder_.file(kPlans, plan.id), ignored);
     return true;
   });
 }
@@ -120,7 +144,9 @@ KeptPlan PlanStore::get(const std::string& id) const {
   return found->second;
 }
 
-std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
+std::filesystem::path PlanStore::file(const std::string& id) const {
+  return folder_.file(kPlans, get(id).id);
+}
 
 OpenedPlan PlanStore::open(const std::string& id) const {
   OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
@@ -147,7 +173,7 @@ void PlanStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   if (plans_.erase(id) == 0) throw not_found("plan", id);
   std::error_code ignored;
-  std::filesystem::remove(folder_.file(kKind, id), ignored);
+  std::filesystem::remove(folder_.file(kPlans, id), ignored);
 }
 
 }  // namespace tramline::server

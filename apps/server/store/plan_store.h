@@ -15,6 +15,13 @@
 
 namespace tramline::server {
 
+/// What driving the whole route of a plan takes.
+struct RouteFigures {
+  double hours = 0;
+  double litres = 0;
+  double euros = 0;
+};
+
 /// An entry of the list of plans, with the data needed to show the plan.
 struct KeptPlan {
   std::string id;
@@ -26,7 +33,8 @@ struct KeptPlan {
   Tally tally;
   double width_m = 0;
   LocalFrame frame;
-  bool draft = false;  ///< see PlanNotes
+  bool draft = false;                   ///< see PlanNotes
+  std::optional<RouteFigures> route{};  ///< where it has a route
 };
 
 /// Data on a plan in addition to those of its file.
@@ -37,6 +45,7 @@ struct PlanNotes {
   double seconds = 0;
   nlohmann::ordered_json explain;  ///< null: it was not asked for
   bool draft = false;  ///< made on the way to another one: the next draft of its field replaces it
+  nlohmann::ordered_json asked{};  ///< machine, objective and settings of the request; null: it is not known
 };
 
 /// A plan with its notes.

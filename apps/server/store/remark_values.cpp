@@ -23,4 +23,17 @@ std::vector<Skipped> skipped_in(const std::string& text) {
   return out;
 }
 
+std::string words_text(const std::vector<std::string>& words) {
+  return app::json_line(nlohmann::ordered_json(words));
+}
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> out;
+  const auto list = nlohmann::json::parse(text, nullptr, false);
+  if (!list.is_array()) return out;
+  for (const auto& word : list)
+    if (word.is_string()) out.push_back(word.get<std::string>());
+  return out;
+}
+
 }  // namespace tramline::server

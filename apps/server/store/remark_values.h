@@ -16,4 +16,8 @@ std::string skipped_text(const std::vector<Skipped>& skipped);
 /// The inverse; none where the text is of another form.
 std::vector<Skipped> skipped_in(const std::string& text);
 
+/// A list of words, and the inverse; none where the text is of another form.
+std::string words_text(const std::vector<std::string>& words);
+std::vector<std::string> words_in(const std::string& text);
+
 }  // namespace tramline::server

@@ -8,6 +8,7 @@
 #include "server/http/page_words.h"
 #include "server/map/shown_place.h"
 #include "server/uploads/survey.h"
+#include "server/uploads/survey_register.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/simplified_line.h"
 #include "tramline/io/isoxml/read_fields.h"
@@ -17,8 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// More are not for choosing from a list.
-constexpr long long kMostListed = 500;
+/// Of files with more, whether each can be planned shows when it is stored.
+constexpr long long kMostAdmitted = 500;
 /// Of a picture of a few pixels, as a share of its size.
 constexpr double kFineness = 1.0 / 150;
 
@@ -82,30 +83,57 @@ std::map<long long, Candidate> candidates_in(const app::FieldInput& input, const
   return out;
 }
 
+/// Features by number, with all that their attributes say.
+std::map<long long, RawFeature> attributes_in(const Upload& upload, const std::string& layer) {
+  io::VectorQuery query;
+  query.file = upload.path.string();
+  query.layer = layer;
+  query.every_attribute = true;
+  std::map<long long, RawFeature> out;
+  RawDataset dataset = io::read_fields(query);
+  for (RawFeature& feature : dataset.layers.front().features) {
+    feature.polygons.clear();
+    out[feature.fid] = std::move(feature);
+  }
+  return out;
+}
+
+void add_admitted(const app::FieldInput& input, const Upload& upload, const std::string& layer,
+                  ordered_json& features) {
+  const std::map<long long, RawFeature> read = attributes_in(upload, layer);
+  for (auto& [fid, candidate] : candidates_in(input, upload)) {
+    ordered_json entry{{"fid", fid},
+                       {"layer", layer},
+                       {"id", id_in_its_name(upload, candidate.id)},
+                       {"area_m2", candidate.area_m2},
+                       {"obstacles", candidate.obstacles},
+                       {"refused", candidate.refused},
+                       {"rings", {{"type", "MultiPolygon"}, {"coordinates", std::move(candidate.shapes)}}}};
+    if (const auto feature = read.find(fid); feature != read.end())
+      entry.update(words_of(upload, layer, feature->second, read.size()));
+    features.push_back(std::move(entry));
+  }
+}
+
 }  // namespace
 
 ordered_json survey_fields_of(const Upload& upload) {
   ordered_json features = ordered_json::array();
-  long long total = 0;
   const std::vector<std::string> layers = layers_with_polygons(upload);
   if (layers.empty()) throw bad_input("there are no polygons in it");
   for (const std::string& layer : layers) {
     app::FieldOptions options;
     options.file = upload.path.string();
     options.layer = layer;
-    const app::FieldInput input = app::survey_fields(options, kMostListed);
-    total += input.features;
-    for (auto& [fid, candidate] : candidates_in(input, upload))
-      features.push_back(
-          {{"fid", fid},
-           {"layer", layer},
-           {"id", id_in_its_name(upload, candidate.id)},
-           {"area_m2", candidate.area_m2},
-           {"obstacles", candidate.obstacles},
-           {"refused", candidate.refused},
-           {"rings", {{"type", "MultiPolygon"}, {"coordinates", std::move(candidate.shapes)}}}});
+    // One more tells whether there are too many.
+    const app::FieldInput input = app::survey_fields(options, kMostAdmitted + 1);
+    if (input.features > kMostAdmitted)
+      add_register(upload, layer, features);
+    else
+      add_admitted(input, upload, layer, features);
   }
   if (features.empty()) throw bad_input("there are no polygons in it");
+  const std::size_t total = features.size();
   return {{"features", std::move(features)}, {"features_total", total}};
 }
 

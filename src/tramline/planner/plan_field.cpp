@@ -282,16 +282,19 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
 
 ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
-  const std::vector<Plan> layouts = layouts_to_begin_with(problem, context);
-  if (layouts.front().subfields.empty()) return planned_without_tracks(problem, context);
+  // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
+  constexpr double kLaidOut = 0.15;
+  const std::vector<Plan> layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
+  const SearchContext comparing = context.for_part(kLaidOut, 1);
+  if (layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
   const auto room_for_turns = [&] {
-    const SearchContext unproven = context.without_bound();
+    const SearchContext deepening = comparing.uncounted().without_bound();
     return headlands_follow_turns(problem.settings)
-               ? with_headlands_for_turns(problem, layouts.back(), unproven)
-               : searched(problem, unproven, Explain::kNo).plan;
+               ? with_headlands_for_turns(problem, layouts.back(), deepening)
+               : searched(problem, deepening, Explain::kNo).plan;
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
-  ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, context);
+  ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);
   return {std::move(compared.plan), std::nullopt, std::move(compared.all)};
 }
 

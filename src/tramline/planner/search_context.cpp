@@ -1,5 +1,6 @@
 #include "tramline/planner/search_context.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -10,6 +11,7 @@ namespace tramline {
 namespace {
 
 constexpr std::int64_t kBetweenReports_ns = 20'000'000;
+constexpr int kThousandths = 1000;
 
 std::int64_t now_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -28,6 +30,15 @@ class SearchContext::SharedProgress {
     const std::lock_guard lock(mutex_);
     done_ = done;
     total_ = total;
+    call();
+  }
+
+  /// In thousandths of the whole, of which none is taken back.
+  void reach(double share) {
+    const std::lock_guard lock(mutex_);
+    const int before = total_ == kThousandths ? done_ : 0;
+    done_ = std::max(before, static_cast<int>(share * kThousandths));
+    total_ = kThousandths;
     call();
   }
 
@@ -90,8 +101,22 @@ SearchContext SearchContext::without_bound() const {
   return out;
 }
 
+SearchContext SearchContext::for_part(double from, double to) const {
+  SearchContext out = *this;
+  out.in_parts_ = true;
+  out.from_ = from_ + (to_ - from_) * from;
+  out.to_ = from_ + (to_ - from_) * to;
+  return out;
+}
+
+void SearchContext::reach(double share) const {
+  if (shared_ && counts_) shared_->reach(from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0));
+}
+
 void SearchContext::count(int done, int total) const {
-  if (shared_ && counts_) shared_->count(done, total);
+  if (!shared_ || !counts_) return;
+  if (!in_parts_) return shared_->count(done, total);
+  if (total > 0) reach(static_cast<double>(done) / total);
 }
 
 void SearchContext::report() const {

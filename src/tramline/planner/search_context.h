@@ -23,6 +23,12 @@ class SearchContext {
   /// A context for a search within the search, whose steps are not reported to the callback.
   SearchContext uncounted() const;
 
+  /// A context for a step that takes the part [from, to] of the whole, of 0 to 1: what it counts is told as
+  /// that part, in thousandths of the whole, and never less than was told before. Steps may have steps.
+  SearchContext for_part(double from, double to) const;
+  /// Tells that the part so far is done, of 0 to 1 of the step. Only in a context of for_part().
+  void reach(double share) const;
+
   /// A context for a search of whose plan only subfields and pieces are needed: it is not finished with
   /// overlaps, encounters, figures, a bound and layers.
   SearchContext for_layout() const;
@@ -51,6 +57,8 @@ class SearchContext {
   bool counts_ = true;
   bool layout_only_ = false;
   bool bound_ = true;
+  bool in_parts_ = false;
+  double from_ = 0, to_ = 1;                ///< of the whole
   std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback
 };
 

@@ -18,10 +18,10 @@ export const startBrowser = () =>
   });
 
 /** A page with a context of its own. `expected`: errors in the console that the test is about; `allowed`: other servers it may ask. */
-export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce' } = {}) {
-  const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true });
+export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce', bypassCSP = false } = {}) {
+  const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true, bypassCSP });
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(Number(process.env.TRAMLINE_WAIT ?? 60_000));
   const faults = [];
   page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
   page.on('console', (message) => {

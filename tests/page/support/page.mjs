@@ -3,6 +3,13 @@ import assert from 'node:assert/strict';
 
 export const mapReady = (page) => page.waitForSelector('[data-testid=map][data-ready=true]', { timeout: 60_000 });
 export const goTo = (page, view) => page.getByRole('navigation').getByRole('button', { name: view }).click();
+/** Opens Plan for tracks alone, which are planned in no time; the whole job takes seconds. */
+export async function planTracks(page) {
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+}
+/** Chooses one of a few things side by side. */
+export const choose = (page, name) => page.getByRole('radio', { name }).evaluate((radio) => radio.click());
 export const panel = (page) => page.locator('main.panel');
 
 export async function chooseFile(page, label, file) {
@@ -47,11 +54,16 @@ export const mapSettled = (page) =>
 
 /** Features of a layer of the map that are drawn right now. */
 export async function drawn(page, layer) {
+  await page.waitForSelector('.map[aria-busy=false]');
   await mapSettled(page);
   return page.evaluate((name) => window.tramlineMap.queryRenderedFeatures({ layers: [name] }).length, layer);
 }
 
-export const visible = (page, layer) => page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
+/** Whether a layer is switched on, once all layers of the plan have come. */
+export async function visible(page, layer) {
+  await page.waitForSelector('.map[aria-busy=false]');
+  return page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
+}
 
 /** The picture stands still: nothing is loading or moving. */
 export const still = (page) =>

@@ -92,5 +92,17 @@ TEST_F(ServerTest, BodiesHaveToBeJsonObjects) {
   EXPECT_EQ(served.post_text("/machines", std::string(100'000, '[')).status, 400);
 }
 
+TEST_F(ServerTest, SaysWhatIsUsualForEachOperation) {
+  const ordered_json list = served.get("/operations?width_m=6").json;
+  ASSERT_EQ(list.size(), 9U);
+  EXPECT_EQ(list[2]["operation"], "spraying");
+  EXPECT_EQ(list[2]["rates"]["price_per_hour"], 120);
+  // A litre a hectare (docs/machine.md), of which there are 6 m times 2.9 m/s in an hour.
+  EXPECT_NEAR(list[2]["rates"]["fuel_l_per_h"].get<double>(), 1 * 6 * 2.9 * 0.36, 1e-9);
+  EXPECT_TRUE(list[2]["standing_crop"].get<bool>());
+  EXPECT_EQ(served.get("/operations?width_m=wide").status, 400);
+  EXPECT_EQ(served.get("/operations?width_m=-1").status, 400);
+}
+
 }  // namespace
 }  // namespace tramline::server

@@ -36,6 +36,42 @@ TEST_F(ServerTest, PlansAFieldAndKeepsThePlan) {
   EXPECT_EQ(served.get("/plans/" + id + "/layers").status, 404);
 }
 
+TEST_F(ServerTest, KeepsWhatAPlanWasAskedForAndWhatItsRouteTakes) {
+  const std::string field = served.field_of("plain-metres.gpkg");
+  const ordered_json settings{{"headlands", 1}, {"end_rule", "inside"}};
+  const std::string id = served.planned(field, settings);
+  const ordered_json plan = served.get("/plans/" + id).json;
+  EXPECT_EQ(plan["asked"]["settings"], settings);
+  EXPECT_EQ(plan["asked"]["machine"]["width_m"], 6);
+  EXPECT_FALSE(plan["asked"].contains("field"));
+  const ordered_json listed = served.get("/plans").json[0];
+  EXPECT_EQ(listed["route"]["euros"], plan["summary"]["whole_cost"]["euros"]);
+  EXPECT_EQ(listed["route"]["hours"], plan["summary"]["whole_cost"]["hours"]);
+  EXPECT_EQ(served.patch("/plans/" + id, {{"name", "spring"}}).json["route"], listed["route"]);
+  EXPECT_EQ(served.get("/plans/" + id).json["asked"], plan["asked"]) << "a name changes nothing else";
+
+  const std::string tracks = served.planned(field, {{"route", false}});
+  EXPECT_TRUE(served.get("/plans").json[0]["route"].is_null()) << tracks;
+}
+
+TEST_F(ServerTest, TellsHowMuchIsWorkedBeyondTheBoundary) {
+  const std::string field = served.field_of("plain-metres.gpkg");
+  const auto beyond = [&](const char* boundary) {
+    const std::string id = served.planned(
+        field, {{"boundary", boundary}, {"headlands", 0}, {"route", false}, {"end_rule", "cover"}});
+    double drawn_m2 = 0;
+    const ordered_json drawn = served.get("/plans/" + id + "/layers/outside").json;
+    for (const ordered_json& feature : drawn["features"])
+      drawn_m2 += feature["properties"]["area_m2"].get<double>();
+    const ordered_json summary = served.get("/plans/" + id).json["summary"];
+    EXPECT_NEAR(summary["outside_m2"].get<double>(), drawn_m2, 1e-6);
+    EXPECT_LE(drawn_m2, summary["overlap_m2"].get<double>() + 0.01);
+    return drawn_m2;
+  };
+  EXPECT_LT(beyond("hard"), 0.01);
+  EXPECT_GT(beyond("soft"), 1);
+}
+
 TEST_F(ServerTest, PlansAsInAPaperButForWhatIsGiven) {
   const std::string field = served.field_of("plain-metres.gpkg");
   const std::string id = served.planned(field, {{"like", "versleijen"}, {"end_rule", "cover"}});

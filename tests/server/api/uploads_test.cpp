@@ -40,6 +40,29 @@ TEST_F(ServerTest, FeaturesWithoutAnIdAreCalledAfterTheUsersFile) {
   EXPECT_EQ(sent.json["features"][0]["id"], "long meadow:0");
 }
 
+TEST_F(ServerTest, ListsAWholeRegisterByItsNumbersWithWhatGrowsThere) {
+  constexpr int kMany = 600;  // more than are looked at one by one
+  ordered_json features = ordered_json::array();
+  for (int i = 0; i < kMany; ++i)
+    features.push_back({{"type", "Feature"},
+                        {"properties", {{"FLIK", fmt::format("DE{}", i)}, {"Kultur", "oats"}}},
+                        {"geometry", square()}});
+  const Got sent = served.upload("register.geojson",
+                                 ordered_json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+  ASSERT_EQ(sent.status, 201) << sent.text;
+  ASSERT_EQ(sent.json["features"].size(), kMany);
+  EXPECT_EQ(sent.json["features_total"], kMany);
+  const ordered_json last = sent.json["features"].back();
+  EXPECT_EQ(last["name"], "DE599");
+  EXPECT_EQ(last["crop"], "oats");
+  EXPECT_EQ(last["attributes"]["FLIK"], "DE599");
+  const Got one = served.upload(
+      "one.geojson", ordered_json{{"type", "FeatureCollection"}, {"features", {features[0]}}}.dump());
+  const double admitted_m2 = one.json["features"][0]["area_m2"];
+  EXPECT_NEAR(last["area_m2"].get<double>(), admitted_m2, 0.005 * admitted_m2) << "about the area";
+  EXPECT_EQ(one.json["features"][0]["name"], "DE0");
+}
+
 TEST_F(ServerTest, KnowsLogsAndPlans) {
   const Got log = served.upload_example("riverside-drive.csv");
   EXPECT_EQ(log.json["kind"], "log");

@@ -3,15 +3,24 @@ import { api } from '../api/client';
 import { follow } from '../api/jobs';
 import { compare } from '../state/compare';
 import { fields } from '../state/fields';
-import { form, requestOf } from '../state/plan_form';
+import { compareRequestOf, form, USUAL, type CompareRequest } from '../state/plan_form';
 import { plans } from '../state/plans';
+import { landPrices } from '../state/rates';
 import { keepPlan, loadPlans, openPlan } from './plans';
+
+/** What is compared, and what of the form a comparison leaves out. */
+export function comparison(field: string): CompareRequest {
+  const value = form.get();
+  const plan = plans.get().open;
+  const passes = plan?.field === field ? (plan.explain?.routes?.[0]?.headlands ?? 0) : 0;
+  return compareRequestOf(value, field, passes, landPrices(value.machine.rates, USUAL));
+}
 
 export async function makeFront(): Promise<void> {
   const field = fields.get().open;
   if (!field) return;
   try {
-    const job = await api.startJob({ kind: 'compare', ...requestOf(form.get(), field.id) });
+    const job = await api.startJob({ kind: 'compare', ...comparison(field.id).request });
     const result = await follow(job, (state) => compare.set({ job: state }));
     if (!result.front) return;
     compare.set({ frontId: result.front, front: await api.front(result.front), field: field.id, laid: {} });

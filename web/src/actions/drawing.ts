@@ -6,23 +6,68 @@ import { attempt } from './notices';
 type Done = (geometry: Geometry) => Promise<void>;
 let whenDone: Done = async () => {};
 
-/** Begins to draw, and gives the map the keyboard. `done` is what becomes of the shape. */
-export function drawFor(purpose: Purpose, done: Done): void {
+const NOTHING = { chosen: null, past: [], future: [], pointed: false };
+
+/** Begins to draw, and gives the map the keyboard; `places` is a shape that is there already. `done` is what becomes of the shape. */
+export function drawFor(purpose: Purpose, done: Done, places: Place[] = []): void {
   whenDone = done;
-  drawing.set({ purpose, places: [] });
+  drawing.set({ ...NOTHING, purpose, places });
   document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
 }
 
 /** An edge of the field is picked instead of drawing a line. */
-export const pickEdge = () => drawing.set({ purpose: 'edge', places: [] });
-export const stop = () => drawing.set({ purpose: null, places: [] });
+export const pickEdge = () => drawing.set({ ...NOTHING, purpose: 'edge', places: [] });
+export const stop = () => drawing.set({ ...NOTHING, purpose: null, places: [] });
 
-export function add(place: Place): void {
+function change(places: Place[], more: { chosen?: number | null; pointed?: boolean } = {}): void {
+  const { past, places: before } = drawing.get();
+  drawing.set({ chosen: null, ...more, places, past: [...past, before], future: [] });
+}
+
+/** The next place; `by` says whether it was pointed at. */
+export function add(place: Place, by: 'pointer' | 'keys' = 'keys'): void {
   const { purpose, places } = drawing.get();
   if (!purpose || purpose === 'edge') return;
-  drawing.set({ places: single(purpose) ? [place] : [...places, place] });
+  change(single(purpose) ? [place] : [...places, place], { pointed: by === 'pointer' });
 }
-export const undo = () => drawing.set({ places: drawing.get().places.slice(0, -1) });
+
+/** A corner between two others: after the one of this number. */
+export function insert(after: number, place: Place): void {
+  const { places } = drawing.get();
+  change([...places.slice(0, after + 1), place, ...places.slice(after + 1)], { chosen: after + 1, pointed: true });
+}
+
+export function choose(corner: number | null): void {
+  drawing.set({ chosen: corner });
+}
+
+/** A corner on its way; the whole way is one step for Undo. */
+export function move(corner: number, place: Place): void {
+  const { places } = drawing.get();
+  drawing.set({ places: places.map((old, i) => (i === corner ? place : old)), chosen: corner });
+}
+export function moved(before: Place[]): void {
+  const { past } = drawing.get();
+  drawing.set({ past: [...past, before], future: [], pointed: true });
+}
+
+/** The chosen corner goes, or the last one. */
+export function removeCorner(): void {
+  const { chosen, places } = drawing.get();
+  const at = chosen ?? places.length - 1;
+  if (places[at]) change(places.filter((_, i) => i !== at));
+}
+
+export function undo(): void {
+  const { past, future, places } = drawing.get();
+  const before = past[past.length - 1];
+  if (before) drawing.set({ places: before, past: past.slice(0, -1), future: [places, ...future], chosen: null });
+}
+export function redo(): void {
+  const { past, future, places } = drawing.get();
+  const [next, ...rest] = future;
+  if (next) drawing.set({ places: next, past: [...past, places], future: rest, chosen: null });
+}
 
 function geometry(purpose: Purpose, places: Place[]): Geometry {
   if (single(purpose)) return { type: 'Point', coordinates: places[0]! };

@@ -6,22 +6,31 @@ import type { DriveFull, DriveOptions, Job, Upload } from '../api/types';
 import { sentence } from '../format';
 import { fields } from '../state/fields';
 import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../state/review';
-import { loadFields } from './fields';
+import { loadFields, takeFields } from './fields';
+import { note } from './notices';
 import { stopReplay } from './replay';
-import { uploadFile } from './upload';
+import { show } from './session';
+import { asOne, uploadFile } from './upload';
 
 export async function loadDrives(): Promise<void> {
   const list = await api.drives();
   review.set({ list: [...list].sort((a, b) => (a.created < b.created ? 1 : a.created > b.created ? -1 : 0)) });
 }
 
-export async function takeLogFile(file: File): Promise<void> {
-  const upload = await uploadFile(file);
+export async function takeLogFile(files: File[]): Promise<void> {
+  const upload = await uploadFile(await asOne(files));
+  const nothingDriven = upload.kind === 'log' && (upload.logs ?? []).every((log) => log.fixes === 0) && (upload.partfields ?? []).length > 0;
+  if (upload.kind === 'fields' || nothingDriven) {
+    // A task set without logs is no mistake: its fields open.
+    show('fields');
+    note(`${upload.name} has no log. Its fields are here.`);
+    return takeFields(upload);
+  }
   if (upload.kind !== 'log') {
-    const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
+    const what = upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : `${file.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? `${upload.name} is ${what}.` : `${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }

@@ -3,37 +3,51 @@ import { api } from '../api/client';
 import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
-import { fields } from '../state/fields';
+import { calledField, fields } from '../state/fields';
 import { form, OF_THE_FIELD } from '../state/plan_form';
+import { plans } from '../state/plans';
 import { review } from '../state/review';
-import { complain, note } from './notices';
-import { closePlan, loadPlans } from './plans';
-import { busy, uploadFile } from './upload';
+import { attempt, complain, note } from './notices';
+import { takeUpPlanning } from './planning';
+import { closePlan, loadPlans, openPlan } from './plans';
+import { asOne, busy, uploadFile } from './upload';
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
 }
 
-async function opened(field: FieldFull): Promise<void> {
+/** Opens a field with the plan named, or else with its last one. */
+async function opened(field: FieldFull, plan: string | null = null): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
     form.set(OF_THE_FIELD);
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
-  await loadPlans(field.id);
+  const list = await loadPlans(field.id);
+  const wanted = plan ?? plans.get().open?.id ?? list[0]?.id;
+  // What an address names may be gone by now: then the field simply opens without it.
+  if (wanted && wanted !== plans.get().open?.id) await openPlan(wanted).catch(() => {});
+  void attempt(() => takeUpPlanning(field.id));
 }
 
-export const openField = (id: string) => busy('Opening the field …', async () => opened(await api.field(id)));
+export const openField = (id: string, plan: string | null = null) => busy('Opening the field …', async () => opened(await api.field(id), plan));
 
 /** A file of one field opens it; one of several asks which. */
-export async function takeFieldFile(file: File): Promise<void> {
-  const upload = await uploadFile(file);
+export async function takeFieldFile(files: File[]): Promise<void> {
+  const upload = await uploadFile(await asOne(files));
+  await takeFields(upload);
+}
+
+/** The fields of a file that was sent: of a task set with logs those that it has beside them. */
+export async function takeFields(sent: Upload): Promise<void> {
+  const partfields = sent.kind === 'log' ? (sent.partfields ?? []) : [];
+  const upload: Upload = partfields.length > 0 ? { ...sent, kind: 'fields', features: partfields, features_total: partfields.length } : sent;
   if (upload.kind !== 'fields') {
     const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : `${file.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? `${upload.name} is ${what}.` : `${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }
@@ -43,8 +57,9 @@ export async function takeFieldFile(file: File): Promise<void> {
   else fields.set({ choosing: upload });
 }
 
-const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
-  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }) });
+const LONGEST = 80;
+const storeFeature = (upload: Upload, { fid, layer, name, crop }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }), ...(name ? { name: name.slice(0, LONGEST) } : {}), ...(crop ? { crop: crop.slice(0, LONGEST) } : {}) });
 
 let stopped = false;
 export const stopTaking = () => void (stopped = true);
@@ -60,13 +75,13 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
   try {
     for (const feature of features) {
       if (stopped) break;
-      fields.set({ busy: `Storing ${feature.id}, ${stored + refused.length + 1} of ${features.length} …` });
+      fields.set({ busy: `Storing ${calledField(feature)}, ${stored + refused.length + 1} of ${features.length} …` });
       try {
         await storeFeature(upload, feature);
         stored++;
       } catch (error) {
         if (!(error instanceof ApiError) || error.away) throw error;
-        refused.push(`${feature.id}: ${error.message}`);
+        refused.push(`${calledField(feature)}: ${error.message}`);
       }
     }
   } finally {
@@ -75,6 +90,15 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
   }
   note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? '; you stopped the others' : ''}. Open one under Your fields.`);
   if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
+}
+
+/** Stores every field of a file that can be used, and opens the first. */
+export async function storeAll(upload: Upload): Promise<void> {
+  const stored: string[] = [];
+  for (const feature of upload.features ?? []) if (feature.refused === null) stored.push((await storeFeature(upload, feature)).id);
+  await loadFields();
+  const [first] = stored;
+  if (first) await opened(await api.field(first));
 }
 
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
@@ -90,12 +114,15 @@ export async function storeDrawnField(name: string, geometry: Geometry): Promise
   await loadFields();
 }
 
-export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[] }): Promise<void> {
+export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[]; boundary?: Geometry; crop?: string; tags?: string[] }): Promise<void> {
   const open = fields.get().open;
   if (!open) return;
   await api.changeField(open.id, change);
   fields.set({ open: await api.field(open.id) });
-  if (change.add || change.remove) closePlan(); // it was made for other land
+  if (change.add || change.remove || change.boundary) {
+    closePlan(); // it was made for other land
+    await loadPlans(open.id);
+  }
   await loadFields();
 }
 

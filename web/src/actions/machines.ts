@@ -9,8 +9,8 @@ export async function loadMachines(): Promise<void> {
 }
 
 /** What a machine of the form is stored as. */
-const named = (name: string, { width_m, radius_m, min_length_m, turning }: Machine): Machine => ({
-  name, width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}), ...(turning ? { turning } : {}),
+const named = (name: string, { width_m, radius_m, min_length_m, turning, rates }: Machine): Machine => ({
+  name, width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}), ...(turning ? { turning } : {}), ...(rates ? { rates } : {}),
 });
 
 /** Stores the machine of the form; where `id` is given, it takes the place of that one. */

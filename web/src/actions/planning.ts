@@ -1,32 +1,49 @@
 // The jobs that make a plan and check it.
 import { api } from '../api/client';
 import { follow } from '../api/jobs';
+import type { Job } from '../api/types';
 import { fields } from '../state/fields';
-import { form, requestOf } from '../state/plan_form';
+import { form, isShowing, requestOf } from '../state/plan_form';
 import { plans } from '../state/plans';
-import { attempt } from './notices';
-import { loadPlans, openPlan } from './plans';
+import { attempt, note } from './notices';
+import { loadPlans, openPlan, showPlan } from './plans';
 
 let run = 0;
+let timer = 0;
 
 /** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
 export async function makePlan(draft = false): Promise<void> {
   const field = fields.get().open;
   if (!field) return;
   const mine = ++run;
+  clearTimeout(timer); // what is planned now needs no second time
   const going = plans.get().job;
   if (going) await api.cancelJob(going.id).catch(() => {});
+  const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
+  await finish(job, mine, showPlan);
+}
+
+/** Follows a job to its plan, and shows that if its field is still the open one. */
+async function finish(job: Job, mine: number, open: (plan: string) => Promise<unknown>): Promise<void> {
+  const field = job.field;
   try {
-    const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
     const result = await follow(job, (state) => mine === run && plans.set({ job: state }));
     if (mine !== run || !result.plan) return;
-    await openPlan(result.plan);
-    await loadPlans(field.id);
+    if (fields.get().open?.id !== field) return note('The plan of the field before is made: it opens with its field.');
+    await open(result.plan);
+    await loadPlans(field);
   } catch (error) {
     if (mine === run) throw error;
   } finally {
     if (mine === run) plans.set({ job: null });
   }
+}
+
+/** A plan of the field that is being made already, as after a reload, is shown when it is there. */
+export async function takeUpPlanning(field: string): Promise<void> {
+  if (plans.get().job) return;
+  const going = (await api.jobs()).find((job) => job.kind === 'plan' && job.field === field && (job.state === 'queued' || job.state === 'running'));
+  if (going && !plans.get().job) await finish(going, ++run, openPlan);
 }
 
 export async function cancelPlan(): Promise<void> {
@@ -49,7 +66,6 @@ export async function cancelCheck(): Promise<void> {
 }
 
 const PAUSE_MS = 350;
-let timer = 0;
 
 /** What a plan comes out by: the name of a machine changes nothing. */
 function whatMatters(field: string): string {
@@ -67,7 +83,14 @@ export function planAtChanges(): void {
     last = asked;
     clearTimeout(timer);
     const open = plans.get().open;
-    if (!form.get().again || !field || !open || open.field !== field.id) return;
+    if (isShowing() || !form.get().again || !field || !open || open.field !== field.id) return;
     timer = window.setTimeout(() => void attempt(() => makePlan(true)), PAUSE_MS);
   });
+}
+
+/** The next plan has one direction, as this line. */
+export async function planAlong(line: [number, number][]): Promise<void> {
+  const planned = form.get().again && plans.get().open !== null;
+  form.set({ line, shape: 'straight' });
+  if (!planned) await makePlan(true);
 }

@@ -1,53 +1,89 @@
 // Plans of the open field: opening one, switching its layers, keeping, naming and deleting it.
 import { api } from '../api/client';
 import { ApiError } from '../api/errors';
-import type { FeatureCollection, PlanFull, PlanItem } from '../api/types';
+import type { Box, FeatureCollection, PlanFull, PlanItem } from '../api/types';
 import { fields } from '../state/fields';
+import { showAsked } from '../state/plan_form';
 import { isShown, plans } from '../state/plans';
 
 /** Plans of a field that need not be open. */
 export const plansOf = (field: string): Promise<PlanItem[]> => api.plans(field);
 
-export async function loadPlans(field: string): Promise<void> {
-  const list = await api.plans(field);
-  plans.set({ list: [...list].sort((a, b) => (a.created < b.created ? 1 : a.created > b.created ? -1 : 0)) });
+/** The list, the latest first. */
+export async function loadPlans(field: string): Promise<PlanItem[]> {
+  const list = [...(await api.plans(field))].sort((a, b) => (a.created < b.created ? 1 : a.created > b.created ? -1 : 0));
+  if (fields.get().open?.id === field) plans.set({ list });
+  return list;
 }
 
 export function closePlan(): void {
+  wanted = '';
   plans.set({ open: null, before: null, layers: [], shapes: {}, list: [] });
 }
 
 let wanted = '';
 
-export async function openPlan(id: string): Promise<void> {
+/** Opens a plan that was made before: the form shows what it was made with. */
+export const openPlan = (id: string) => show(id, showAsked);
+
+/** Shows a plan that the form has just been asked for. */
+export const showPlan = (id: string) => show(id, () => {});
+
+/** Figures come first: layers of a large plan take a while. Another plan that is opened meanwhile wins. */
+async function show(id: string, figured: (plan: PlanFull) => void): Promise<void> {
   wanted = id;
   const [plan, layers] = await Promise.all([api.plan(id), api.planLayers(id)]);
-  const names = layers.filter((layer) => layer.features > 0 && isShown(layer.name)).map((layer) => layer.name);
-  const shapes = await fetchLayers(id, names);
-  if (wanted !== id) return; // another one was opened meanwhile
+  if (wanted !== id) return;
   const last = plans.get().open;
   const before = last && last.id !== id && last.field === plan.field ? last.summary : null;
-  plans.set({ open: plan, before, layers, shapes });
+  plans.set({ open: plan, before, layers, shapes: {}, drawing: true, detail_m: coarse(plan.bbox) });
+  figured(plan);
   if (fields.get().open?.id !== plan.field) {
     const field = await api.field(plan.field).catch(() => null); // a deleted field's plans stay
-    if (field) fields.set({ open: field });
+    if (field && wanted === id) fields.set({ open: field });
+  }
+  const names = layers.filter((layer) => layer.features > 0 && isShown(layer.name)).map((layer) => layer.name);
+  try {
+    await Promise.all(names.map((name) => fetchLayer(id, name)));
+  } finally {
+    if (wanted === id) plans.set({ drawing: false });
   }
 }
 
-async function fetchLayers(id: string, names: string[]): Promise<Record<string, FeatureCollection>> {
-  const shapes = await Promise.all(names.map(async (name) => [name, await api.planLayer(id, name)] as const));
-  return Object.fromEntries(shapes);
+/** Shapes as fine as a screen shows a whole field: half a pixel of one that fills it. */
+const SCREEN_PX = 1600;
+const FINEST_M = 0.02;
+const DEGREE_M = 111_320;
+function coarse([west, south, east, north]: Box): number {
+  const size_m = DEGREE_M * Math.max((east - west) * Math.cos((south * Math.PI) / 180), north - south);
+  return Math.max(FINEST_M, Math.round((100 * size_m) / SCREEN_PX) / 100);
+}
+
+/** The layers anew as fine as they are, once the map is so near that it would show. */
+export async function refineLayers(): Promise<void> {
+  const { open, detail_m, shapes } = plans.get();
+  if (!open || detail_m <= FINEST_M) return;
+  plans.set({ detail_m: FINEST_M });
+  await Promise.all(Object.keys(shapes).map((name) => fetchLayer(open.id, name)));
+}
+
+async function fetchLayer(id: string, name: string): Promise<void> {
+  let shape: FeatureCollection;
+  try {
+    shape = await api.planLayer(id, name, plans.get().detail_m);
+  } catch (error) {
+    const open = plans.get().open;
+    const replaced = open?.id !== id || open.draft;
+    if (replaced && error instanceof ApiError && error.status === 404) return; // the next draft is on its way
+    throw error;
+  }
+  if (plans.get().open?.id === id) plans.set({ shapes: { ...plans.get().shapes, [name]: shape } });
 }
 
 export async function switchLayer(name: string, on: boolean): Promise<void> {
   plans.set({ shown: { ...plans.get().shown, [name]: on } });
   const open = plans.get().open;
-  if (!on || !open || plans.get().shapes[name]) return;
-  const fetched = await fetchLayers(open.id, [name]).catch((error: unknown) => {
-    if (open.draft && error instanceof ApiError && error.status === 404) return null; // the next draft is on its way
-    throw error;
-  });
-  if (fetched && plans.get().open?.id === open.id) plans.set({ shapes: { ...plans.get().shapes, ...fetched } });
+  if (on && open && !plans.get().shapes[name]) await fetchLayer(open.id, name);
 }
 
 export async function deletePlan(id: string): Promise<void> {

@@ -1,8 +1,9 @@
 // Running a stream of work. Frames go to whoever draws them; the figures go into the store.
 import { feedEvents, replayEvents } from '../api/addresses';
+import { api } from '../api/client';
 import { AWAY } from '../api/errors';
 import { openStream, type Stream } from '../api/event_stream';
-import type { DriveFull, FeedItem, WorkFigures, WorkFrame } from '../api/types';
+import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../api/types';
 import { replay } from '../state/replay';
 import { complain } from './notices';
 
@@ -19,10 +20,21 @@ function shut(): void {
   stream = null;
 }
 
+const DEGREE_M = 111_320;
+/** By the last two frames; as before where they are too near in time. */
+function speedBetween(last: { at: Place | null; time_s: number | null; speed_mps: number | null }, now: WorkFrame): number | null {
+  if (!last.at || !now.at || last.time_s === null || now.time_s === null) return null;
+  const passed_s = now.time_s - last.time_s;
+  if (passed_s < 0.05) return passed_s < 0 ? null : last.speed_mps;
+  const east = (now.at[0] - last.at[0]) * DEGREE_M * Math.cos((now.at[1] * Math.PI) / 180);
+  return Math.hypot(east, (now.at[1] - last.at[1]) * DEGREE_M) / passed_s;
+}
+
 function take(frame: WorkFrame): void {
   draw(frame);
-  const { time_s, fix, fixes, working, figures } = frame;
-  replay.set({ time_s, fix, fixes, working, figures });
+  const { time_s, fix, fixes, working, figures, at, heading_deg } = frame;
+  const speed_mps = speedBetween(replay.get(), frame);
+  replay.set({ time_s, fix, fixes, working, figures, at, heading_deg, speed_mps });
 }
 
 const times = (drive: DriveFull) => {
@@ -83,7 +95,7 @@ export function attach(feed: FeedItem): void {
   draw(null);
   replay.set({
     of: 'feed', id: feed.id, name: feed.name ?? feed.source ?? feed.id, playing: true, figures: null, time_s: null,
-    fix: 0, fixes: 0, message: null, connected: true,
+    fix: 0, fixes: 0, message: null, connected: true, at: null, speed_mps: null,
   });
   const frame = (data: WorkFrame) => take(data);
   const state = (data: { message: string; connected: boolean }) => replay.set({ message: data.message, connected: data.connected });
@@ -99,8 +111,19 @@ const RETRY_MS = 2000;
 function retry(feed: FeedItem): void {
   setTimeout(() => {
     const { of, id, connected } = replay.get();
-    if (of === 'feed' && id === feed.id && !connected && !stream) attach(feed);
+    if (of === 'feed' && id === feed.id && !connected && !stream) void attachAgain(feed);
   }, RETRY_MS);
+}
+
+let lost: (feed: FeedItem) => Promise<void> = async () => {};
+/** `gone` is called where the server has come back without the feed. */
+export const onLostFeed = (gone: (feed: FeedItem) => Promise<void>) => void (lost = gone);
+
+async function attachAgain(feed: FeedItem): Promise<void> {
+  const list = await api.feeds().catch(() => null);
+  if (list === null) return retry(feed); // it is not back yet
+  if (list.some((one) => one.id === feed.id)) attach(feed);
+  else await lost(feed);
 }
 
 /** Leaves replay or feed; a feed goes on in the server. */

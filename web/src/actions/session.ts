@@ -1,7 +1,15 @@
 // Which view is open, and in which theme.
 import { dark, isNight, session, THEME_KEY, type Theme, type View } from '../state/session';
 
-export const show = (view: View) => session.set({ view });
+/** A view begins at its top. */
+export function show(view: View): void {
+  if (view === session.get().view) return;
+  session.set({ view });
+  requestAnimationFrame(() => {
+    document.getElementById('panel')?.scrollTo(0, 0);
+    scrollTo(0, 0);
+  });
+}
 
 export function applyTheme(): void {
   document.documentElement.dataset['theme'] = isNight() ? 'night' : 'day';

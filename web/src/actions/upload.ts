@@ -28,6 +28,16 @@ function assertSize(file: File): void {
   if (file.size === 0) throw new ApiError('bad_input', `${file.name} is empty. Choose another file.`, 400);
 }
 
+/** Files that belong together, such as .shp, .shx and .dbf, go as one archive. */
+export async function asOne(files: File[]): Promise<File> {
+  const [first] = files;
+  if (files.length === 1 && first) return first;
+  const { zipSync } = await import('fflate');
+  const entries = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const));
+  const main = files.find(({ name }) => /\.(shp|xml|gml|tab|mif)$/i.test(name)) ?? files[0]!;
+  return new File([zipSync(Object.fromEntries(entries), { level: 1 })], main.name.replace(/\.[^.]+$/, '.zip'));
+}
+
 /** Sends a file, unless its size already says that the server cannot take it. */
 export async function uploadFile(file: File): Promise<Upload> {
   assertSize(file);

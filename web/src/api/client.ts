@@ -75,7 +75,7 @@ export const api = {
   fields: () => json<T.FieldItem[]>('GET', '/fields'),
   field: (field: string) => json<T.FieldFull>('GET', `/fields/${id(field)}`),
   storeField: (request: Record<string, unknown>) => json<T.FieldFull>('POST', '/fields', request),
-  changeField: (field: string, change: { name?: string; add?: T.ObstacleDrawn[]; remove?: number[] }) =>
+  changeField: (field: string, change: { name?: string; add?: T.ObstacleDrawn[]; remove?: number[]; boundary?: T.Geometry; crop?: string; tags?: string[] }) =>
     json<T.FieldFull>('PATCH', `/fields/${id(field)}`, change),
   deleteField: (field: string) => json<void>('DELETE', `/fields/${id(field)}`),
 
@@ -84,6 +84,9 @@ export const api = {
   changeMachine: (machine: string, to: T.Machine) => json<T.Machine>('PUT', `/machines/${id(machine)}`, to),
   deleteMachine: (machine: string) => json<void>('DELETE', `/machines/${id(machine)}`),
 
+  operations: (width_m: number) => json<T.Operation[]>('GET', `/operations?width_m=${width_m}`),
+
+  jobs: () => json<T.Job[]>('GET', '/jobs'),
   startJob: (request: T.JobRequest) => json<T.Job>('POST', '/jobs', request),
   job: (job: string) => json<T.Job>('GET', `/jobs/${id(job)}`),
   cancelJob: (job: string) => json<T.Job>('DELETE', `/jobs/${id(job)}`),
@@ -94,7 +97,8 @@ export const api = {
   keepPlan: (plan: string) => json<unknown>('PATCH', `/plans/${id(plan)}`, { draft: false }),
   deletePlan: (plan: string) => json<void>('DELETE', `/plans/${id(plan)}`),
   planLayers: (plan: string) => json<T.LayerItem[]>('GET', `/plans/${id(plan)}/layers`),
-  planLayer: (plan: string, layer: string) => json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}`),
+  planLayer: (plan: string, layer: string, detail_m: number) =>
+    json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}?detail_m=${detail_m}`),
   front: (front: string) => json<T.Front>('GET', `/fronts/${id(front)}`),
   layPoint: (front: string, point: number) => json<{ plan: string }>('POST', `/fronts/${id(front)}/points/${point}`),
 

@@ -34,6 +34,10 @@ export interface UploadedFeature {
   obstacles: number;
   refused: string | null;
   rings: Geometry | Place[][] | null;
+  /** What people call it, by its attributes. */
+  name?: string;
+  crop?: string;
+  attributes?: Record<string, string>;
 }
 export interface UploadedLog {
   name: string;
@@ -54,7 +58,8 @@ export interface Upload {
   features?: UploadedFeature[];
   features_total?: number;
   logs?: UploadedLog[];
-  partfields?: unknown[];
+  /** A task set may hold logs and fields. */
+  partfields?: UploadedFeature[];
 }
 
 export interface FieldItem {
@@ -66,6 +71,13 @@ export interface FieldItem {
   geodetic: boolean;
   bbox: Box;
   created: string;
+  /** When its shape was changed last; empty: never. */
+  reshaped: string;
+  crop: string;
+  tags: string[];
+  /** Only in the list: few corners, for a map of all fields. */
+  outline?: Geometry;
+  last_plan?: { id: string; created: string; width_m: number; hours: number | null; euros: number | null } | null;
 }
 export interface Repair {
   what: string;
@@ -97,6 +109,25 @@ export interface Machine {
   min_length_m?: number | null;
   /** What it needs to turn; the form keeps it as it came. */
   turning?: Record<string, unknown>;
+  rates?: Rates;
+}
+/** What the work costs; what is missing is as usual for the operation. */
+export interface Rates {
+  operation?: string;
+  price_per_hour?: number;
+  fuel_l_per_h?: number;
+  fuel_price?: number;
+  sections?: number;
+  input_price_per_ha?: number;
+  margin_per_ha?: number;
+  price_per_stop?: number;
+}
+export type RateKey = Exclude<keyof Rates, 'operation'>;
+export interface Operation {
+  operation: string;
+  working_speed_mps: number;
+  standing_crop: boolean;
+  rates: Required<Rates>;
 }
 
 export interface Prices {
@@ -111,9 +142,10 @@ export interface PlanSettings {
   strategy?: 'best' | 'sweep';
   end_rule?: EndRule;
   boundary?: 'soft' | 'hard';
-  headlands?: number;
-  obstacle_headlands?: number;
-  curved?: 'auto' | 'always';
+  /** A number of passes, or as many as turns need. */
+  headlands?: number | 'auto';
+  obstacle_headlands?: number | 'auto';
+  curved?: 'auto' | 'always' | 'never';
   line?: Place[];
   avoid?: 'cheapest' | 'paper' | 'cut';
   clearance_m?: number;
@@ -127,7 +159,8 @@ export interface PlanSettings {
 export interface PlanRequest {
   field: string;
   machine: Machine;
-  objective: { prices: Prices } | { minimise: string };
+  /** Of tracks alone. Without it the whole route counts, by the rates of the machine. */
+  objective?: { prices: Prices };
   settings: PlanSettings;
   explain?: boolean;
   /** The next draft of the field replaces it, unless the user wants it. */
@@ -177,6 +210,8 @@ export interface Job {
   kind: string;
   state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
   what: string;
+  /** Empty where it works on none. */
+  field: string;
   done: number;
   total: number;
   seconds: number;
@@ -200,6 +235,8 @@ export interface PlanItem extends Tally {
   width_m: number;
   kind: string;
   draft: boolean;
+  /** Null where it has no route. */
+  route: { hours: number; litres: number; euros: number } | null;
 }
 export type LegKind = 'work' | 'headland' | 'turn' | 'transit' | 'back_out';
 export interface Leg {
@@ -224,6 +261,25 @@ export interface Route {
   over_unworked_m: number;
   over_tracks_m: number;
 }
+/** What driving the whole route takes, and what the plan does to the land, by the rates of its machine. */
+export interface WholeCost {
+  euros: number;
+  hours: number;
+  litres: number;
+  working_h: number;
+  headland_h: number;
+  turning_h: number;
+  transit_h: number;
+  not_working_share: number;
+  field_efficiency: number;
+  euros_hours: number;
+  euros_fuel: number;
+  euros_overlap: number;
+  euros_missed: number;
+  euros_stops: number;
+  euros_driven_over: number;
+  rates: Required<Rates>;
+}
 export interface PlanSummary extends Tally {
   area_m2: number;
   body_m2: number;
@@ -242,8 +298,13 @@ export interface PlanSummary extends Tally {
   bound: number | null;
   gap: number | null;
   kind: string;
-  /** Only of plans that were asked for one. */
+  /** The part of the overlap beyond the boundary. */
+  outside_m2: number;
+  headland_overlap_m2: number;
+  headland_uncovered_m2: number;
+  /** Only of plans that have one. */
   route?: Route;
+  whole_cost?: WholeCost;
   seconds?: number;
   repairs?: Repair[];
   skipped?: Skipped[];
@@ -264,9 +325,29 @@ export interface RunnerUp extends Tally {
   more_by: { overlap: number; uncovered: number; turns: number; stops: number };
   main_reason: string;
 }
+/** A plan whose whole route was compared with that of the plan. */
+export interface ComparedRoute {
+  kind: string;
+  directions_deg: number[];
+  headlands: number;
+  all_round: boolean;
+  hours: number;
+  euros: number;
+  without_room: number;
+}
 export interface Explain {
-  causes: Cause[];
-  runner_ups: RunnerUp[];
+  causes?: Cause[];
+  runner_ups?: RunnerUp[];
+  /** Of plans of least whole cost; the plan itself comes first. */
+  routes?: ComparedRoute[];
+  /** Of a plan for gaps: what they cost left as they are, and what it costs to work them. */
+  repair?: { missed_before_m2: number; missed_after_m2: number; cost_if_left: number; cost_of_passes: number; cost_after: number };
+}
+/** A request as it was made; what it left out is as the server takes it. */
+export interface Asked {
+  machine: Machine;
+  objective?: { prices: Prices };
+  settings?: PlanSettings;
 }
 export interface PlanFull {
   id: string;
@@ -277,6 +358,7 @@ export interface PlanFull {
   draft: boolean;
   summary: PlanSummary;
   explain: Explain | null;
+  asked: Asked | null;
   bbox: Box;
 }
 export interface LayerItem {

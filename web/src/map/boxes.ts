@@ -1,5 +1,5 @@
 // How boxes in longitude and latitude lie to one another.
-import type { Box } from '../api/types';
+import type { Box, FieldItem } from '../api/types';
 
 const EARTH_M = 6_371_009;
 const rad = (deg: number) => (deg * Math.PI) / 180;
@@ -23,3 +23,9 @@ export function apart_m(a: Box, b: Box): number {
   const h = Math.sin(rad(lat2 - lat1) / 2) ** 2 + Math.cos(rad(lat1)) * Math.cos(rad(lat2)) * Math.sin(rad(lon2 - lon1) / 2) ** 2;
   return 2 * EARTH_M * Math.asin(Math.min(1, Math.sqrt(h)));
 }
+
+/** What all fields lie in; null where there is none. */
+export const farmBox = (list: FieldItem[]): Box | null =>
+  list.length === 0 ? null : [
+    Math.min(...list.map(({ bbox }) => bbox[0])), Math.min(...list.map(({ bbox }) => bbox[1])), Math.max(...list.map(({ bbox }) => bbox[2])), Math.max(...list.map(({ bbox }) => bbox[3])),
+  ];

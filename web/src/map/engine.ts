@@ -9,11 +9,14 @@ import { drawGrid, scaleOf, type Scale } from './grid';
 import { drawLabels, forgetLabels } from './labels';
 import type { LiveMap } from './live_map';
 import { DAY, NIGHT } from './palette';
+import { followChoosing } from './show_choosing';
 import { followDrawing } from './show_drawing';
+import { followFarm } from './show_farm';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
+import { followRoutePlay } from './show_route_play';
 import { followWork } from './show_work';
-import { mapStyle } from './style';
+import { mapStyle } from './layers/style';
 
 const START: Place = [10, 51];
 let shown: LiveMap | null = null;
@@ -121,10 +124,13 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   keepGrid(map, scaled);
   keepTheme(map);
   keepTiles(map, shown.visible);
+  followFarm(shown);
   followField(shown);
   followPlan(shown);
   followWork(shown);
+  followRoutePlay(shown);
   followDrawing(shown);
+  followChoosing(shown);
   container.dataset['ready'] = 'true';
   // For the tests of the page, which look at what is drawn.
   Object.assign(window, { tramlineMap: map });

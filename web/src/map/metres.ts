@@ -35,3 +35,14 @@ export function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((n) => n * power).find((step) => step >= least) ?? 10 * power;
 }
+
+/** The land in a ring of corners, m². */
+export function ringArea(ring: Place[]): number {
+  const origin = ring[0];
+  if (!origin || ring.length < 3) return 0;
+  const points = ring.map((place) => between(origin, place));
+  return Math.abs(points.reduce((sum, [x, y], i) => {
+    const [nextX, nextY] = points[(i + 1) % points.length]!;
+    return sum + x * nextY - nextX * y;
+  }, 0)) / 2;
+}

@@ -1,14 +1,25 @@
 // Clicks and keys on the map while something is drawn or an edge is picked.
-import { add, stop, undo } from '../actions/drawing';
+import type { MapLayerMouseEvent, MapLayerTouchEvent } from 'maplibre-gl';
+import { add, choose, finish, insert, move, moved, redo, removeCorner, stop, undo } from '../actions/drawing';
 import type { Feature, Place } from '../api/types';
-import { closed, drawing } from '../state/drawing';
+import { closed, drawing, least, single } from '../state/drawing';
 import { form } from '../state/plan_form';
 import { session } from '../state/session';
 import { nearestEdge, openEdges } from './edges';
 import { collection, NOTHING, type LiveMap } from './live_map';
 
-function shape(places: Place[], ring: boolean): Feature[] {
-  const points: Feature[] = places.map((place) => ({ type: 'Feature', properties: {}, geometry: { type: 'Point', coordinates: place } }));
+/** Corners, and between any two a smaller one, from which a new corner is dragged. */
+function corners(places: Place[], ring: boolean, chosen: number | null): Feature[] {
+  const point = (place: Place, properties: Record<string, unknown>): Feature => ({ type: 'Feature', properties, geometry: { type: 'Point', coordinates: place } });
+  const between = places.flatMap((place, i) => {
+    const next = i + 1 < places.length ? places[i + 1] : ring && places.length > 2 ? places[0] : undefined;
+    return next ? [point([(place[0] + next[0]) / 2, (place[1] + next[1]) / 2], { after: i, between: true, chosen: false })] : [];
+  });
+  return [...between, ...places.map((place, i) => point(place, { corner: i, between: false, chosen: i === chosen }))];
+}
+
+function shape(places: Place[], ring: boolean, chosen: number | null): Feature[] {
+  const points = corners(places, ring, chosen);
   if (places.length < 2) return points;
   const line: Feature = { type: 'Feature', properties: {}, geometry: { type: 'LineString', coordinates: ring ? [...places, places[0]!] : places } };
   const area: Feature = { type: 'Feature', properties: {}, geometry: { type: 'Polygon', coordinates: [[...places, places[0]!]] } };
@@ -27,10 +38,13 @@ function gates(): Feature[] {
   return [...gate(end, 'end'), ...gate(start, 'start')];
 }
 
+/** A finger is wider than a corner. */
+const REACH_PX = 14;
+
 export function followDrawing({ map, fill }: LiveMap): void {
   const sync = () => {
-    const { purpose, places } = drawing.get();
-    fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose))) : NOTHING);
+    const { purpose, places, chosen } = drawing.get();
+    fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose), chosen)) : NOTHING);
     map.getCanvas().style.cursor = purpose ? 'crosshair' : '';
     if (purpose) map.doubleClickZoom.disable();
     else map.doubleClickZoom.enable();
@@ -49,20 +63,69 @@ export function followDrawing({ map, fill }: LiveMap): void {
   for (const from of [drawing, form, session]) from.listen(guide);
   guide();
 
-  const take = (place: Place) => {
-    if (drawing.get().purpose !== 'edge') return add(place);
+  const take = (place: Place, by: 'pointer' | 'keys') => {
+    if (drawing.get().purpose !== 'edge') return add(place, by);
     const nearest = nearestEdge(openEdges(), place);
     if (!nearest) return;
     form.set({ line: nearest.edge.line });
     stop();
   };
+  /** The shape is done where the first corner is met again. */
+  const closes = (at: { x: number; y: number }): boolean => {
+    const { purpose, places } = drawing.get();
+    const first = places[0];
+    if (!purpose || !first || !closed(purpose) || places.length < least(purpose)) return false;
+    const there = map.project(first);
+    return Math.hypot(there.x - at.x, there.y - at.y) <= REACH_PX;
+  };
+  let dragged = false;
   map.on('click', (event) => {
-    if (drawing.get().purpose) take(event.lngLat.toArray());
+    const { purpose } = drawing.get();
+    if (!purpose) return;
+    if (dragged) return;
+    if (closes(event.point)) void finish();
+    else if (drawing.get().chosen === null || map.queryRenderedFeatures(event.point, { layers: ['drawing-point'] }).length === 0) take(event.lngLat.toArray(), 'pointer');
   });
+
+  const grab = (event: MapLayerMouseEvent | MapLayerTouchEvent) => {
+    const { purpose, places } = drawing.get();
+    const grip = event.features?.[0]?.properties;
+    if (!purpose || single(purpose) || !grip) return;
+    event.preventDefault(); // the map stays where it is
+    dragged = false;
+    const before = places;
+    let corner = typeof grip['corner'] === 'number' ? grip['corner'] : null;
+    if (corner !== null) choose(corner);
+    const drag = (moving: { lngLat: { toArray(): [number, number] } }) => {
+      if (corner === null) {
+        insert(grip['after'] as number, moving.lngLat.toArray());
+        corner = (grip['after'] as number) + 1;
+      } else move(corner, moving.lngLat.toArray());
+      dragged = true;
+    };
+    const drop = () => {
+      map.off('mousemove', drag);
+      map.off('touchmove', drag);
+      if (dragged && grip['between'] !== true) moved(before);
+      setTimeout(() => (dragged = false)); // after the click, where one comes of it
+    };
+    map.on('mousemove', drag);
+    map.on('touchmove', drag);
+    map.once('mouseup', drop);
+    map.once('touchend', drop);
+  };
+  map.on('mousedown', 'drawing-point', grab);
+  map.on('touchstart', 'drawing-point', grab);
+
   map.getCanvas().addEventListener('keydown', (event) => {
-    if (!drawing.get().purpose) return;
-    if (event.key === 'Enter' || event.key === ' ') take(map.getCenter().toArray());
-    else if (event.key === 'Backspace') undo();
+    const { purpose, places, pointed } = drawing.get();
+    if (!purpose) return;
+    const middle = map.getCenter();
+    if (event.key === 'Enter' && purpose !== 'edge' && places.length >= least(purpose) && (pointed || closes(map.project(middle)))) void finish();
+    else if (event.key === 'Enter' || event.key === ' ') take(middle.toArray(), 'keys');
+    else if (event.key.toLowerCase() === 'z' && (event.ctrlKey || event.metaKey)) event.shiftKey ? redo() : undo();
+    else if (event.key.toLowerCase() === 'y' && (event.ctrlKey || event.metaKey)) redo();
+    else if (event.key === 'Backspace' || event.key === 'Delete') removeCorner();
     else if (event.key === 'Escape') stop();
     else return;
     event.preventDefault();

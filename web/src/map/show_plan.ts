@@ -1,9 +1,12 @@
+import { attempt } from '../actions/notices';
+import { refineLayers } from '../actions/plans';
 import type { FeatureCollection } from '../api/types';
 import { isShown, plans } from '../state/plans';
+import { replay } from '../state/replay';
 import { session } from '../state/session';
 import { NOTHING, type LiveMap } from './live_map';
 import { degreeLengths } from './metres';
-import { PARTS_OF } from './plan_layers';
+import { PARTS_OF } from './layers/plan_layers';
 import { endsOf } from './route_ends';
 
 /** Lines nearer to one another than this are a grey area, and cost as much to draw as if they were seen, px. */
@@ -25,16 +28,20 @@ function zoomOf(width_m: number, lat: number, px: number): number {
   return Math.max(0, Math.min(22, Math.log2(px / swathPx(width_m, lat, 0))));
 }
 
+const GUIDANCE = ['tracks', 'headland_passes'];
+
 /** The open plan on the map, while a view is open that is about plans. */
 export function followPlan({ map, fill, visible }: LiveMap): void {
   const filled: Record<string, FeatureCollection | undefined> = {};
   let fitted: string | null = null;
   const sync = () => {
     const { view } = session.get();
-    const here = view === 'plan' || view === 'compare';
     const { shapes, open } = plans.get();
+    const plans_here = view === 'plan' || view === 'compare';
+    // In the cab the lines of the plan lie over the work.
+    const guiding = view === 'review' && replay.get().of === 'feed';
     for (const [name, parts] of Object.entries(PARTS_OF)) {
-      const on = here && open !== null && isShown(name);
+      const on = (plans_here || (guiding && GUIDANCE.includes(name))) && open !== null && isShown(name);
       const data = on ? shapes[name] : undefined;
       if (on && data !== filled[name]) {
         filled[name] = data;
@@ -51,7 +58,19 @@ export function followPlan({ map, fill, visible }: LiveMap): void {
       for (const layer of ['plan:tracks-number', 'plan:tracks-arrow']) map.setLayerZoomRange(layer, zoomOf(width_m, lat, LEAST_APART_PX), 24);
     }
   };
+  map.on('zoomend', () => {
+    const { open, detail_m } = plans.get();
+    if (!open) return;
+    const pixel_m = 1 / swathPx(1, map.getCenter().lat, map.getZoom());
+    if (pixel_m < detail_m) void attempt(refineLayers);
+  });
   plans.listen(sync);
   session.listen(sync);
+  let guiding = false;
+  replay.listen(() => {
+    if (guiding === (replay.get().of === 'feed')) return;
+    guiding = !guiding;
+    sync();
+  });
   sync();
 }

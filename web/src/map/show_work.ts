@@ -6,8 +6,8 @@ import { DRIVE_LAYERS, review } from '../state/review';
 import { session } from '../state/session';
 import { fit } from './camera';
 import { collection, NOTHING, type LiveMap } from './live_map';
-import { TILE_SOURCES } from './style';
-import { DRIVE_PARTS } from './work_layers';
+import { TILE_SOURCES } from './layers/style';
+import { DRIVE_PARTS } from './layers/work_layers';
 
 type Polygons = WorkTile['covered'];
 const LAND_KINDS = ['covered', 'repeated'] as const;
@@ -51,7 +51,7 @@ function followStream({ map, fill }: LiveMap): void {
       properties: { work: frame.working ? 'on' : 'off', heading: frame.heading_deg ?? 0 },
       geometry: { type: 'Point', coordinates: frame.at },
     }]));
-    if (replay.get().of === 'feed' && !map.getBounds().contains(frame.at)) map.setCenter(frame.at);
+    if (replay.get().of === 'feed' && (replay.get().follows || !map.getBounds().contains(frame.at))) map.setCenter(frame.at);
   };
   onFrame((frame) => (frame ? draw(frame) : clear()));
 }
@@ -77,7 +77,7 @@ export function followWork(shown: LiveMap): void {
       visible(DRIVE_PARTS[name]!, here && !moving && on[name] && data !== undefined);
     }
     visible(['work:covered', 'work:repeated', 'work:line', 'work:machine'], here && moving);
-    visible(['field-missed'], here && moving);
+    visible(['field-missed'], here && moving && replay.get().of === 'drive');
   };
   review.listen(sync);
   let moving = false;

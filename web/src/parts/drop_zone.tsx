@@ -4,16 +4,16 @@ interface Props {
   label: string;
   hint: string;
   busy: string | null;
-  take: (file: File) => void;
+  /** Several are parts of one thing, such as .shp, .shx and .dbf. */
+  take: (files: File[]) => void;
 }
 
 /** A place to drop a file, and a button that picks one. */
 export function DropZone({ label, hint, busy, take }: Props) {
   const id = useId();
   const [over, setOver] = useState(false);
-  const first = (files: FileList | null | undefined) => {
-    const file = files?.[0];
-    if (file) take(file);
+  const all = (files: FileList | null | undefined) => {
+    if (files && files.length > 0) take([...files]);
   };
   return (
     <div
@@ -27,13 +27,13 @@ export function DropZone({ label, hint, busy, take }: Props) {
         event.preventDefault();
         event.stopPropagation();
         setOver(false);
-        first(event.dataTransfer?.files);
+        all(event.dataTransfer?.files);
       }}
     >
       <input
-        id={id} type="file" class="unseen" disabled={busy !== null}
+        id={id} type="file" multiple class="unseen" disabled={busy !== null}
         onChange={(event) => {
-          first(event.currentTarget.files);
+          all(event.currentTarget.files);
           event.currentTarget.value = '';
         }}
       />

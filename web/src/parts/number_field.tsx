@@ -10,18 +10,22 @@ interface Props {
   optional?: boolean;
   whole?: boolean;
   hint?: string;
+  /** What an empty field stands for. */
+  placeholder?: string;
   change: (value: number | null) => void;
 }
 
 const shown = (value: number | null) => (value === null ? '' : String(value));
 
 /** A number with its unit; one that cannot be is told and not passed on. Comma and point both part decimals. */
-export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, change }: Props) {
+export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, placeholder, change }: Props) {
   const id = useId();
   const [text, setText] = useState(shown(value));
   const [fault, setFault] = useState('');
   useEffect(() => {
-    if (Number(text.replace(',', '.')) !== value || text === '') setText(shown(value));
+    if (Number(text.replace(',', '.')) === value && text !== '') return;
+    setText(shown(value));
+    setFault('');
   }, [value]);
 
   const typed = (input: string) => {
@@ -47,6 +51,7 @@ export function NumberField({ label, unit, value, least, most, optional = false,
           inputMode={whole ? 'numeric' : 'decimal'}
           autocomplete="off"
           value={text}
+          placeholder={placeholder}
           aria-invalid={fault !== ''}
           aria-describedby={`${id}-more`}
           onInput={(event) => typed(event.currentTarget.value)}

@@ -5,11 +5,14 @@ import { plural } from '../format';
 /** Lists up to so long can be taken in at a glance. */
 export const LONG = 8;
 
-const folded = (text: string) => text.toLowerCase().normalize('NFD').replace(/\p{M}/gu, '');
+export const folded = (text: string) => text.toLowerCase().normalize('NFD').replace(/\p{M}/gu, '');
+
+/** The words that were typed. */
+export const typedWords = (typed: string) => folded(typed).split(/\s+/).filter((word) => word !== '');
 
 /** Those of a list whose text has every word that was typed; case and accents do not matter. */
 export function matching<T>(list: readonly T[], typed: string, textOf: (item: T) => string): T[] {
-  const words = folded(typed).split(/\s+/).filter((word) => word !== '');
+  const words = typedWords(typed);
   if (words.length === 0) return [...list];
   return list.filter((item) => {
     const text = folded(textOf(item));

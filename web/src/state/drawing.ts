@@ -2,12 +2,22 @@
 import type { Place } from '../api/types';
 import { store } from './store';
 
-export type Purpose = 'field' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate';
-export const drawing = store<{ purpose: Purpose | null; places: Place[] }>({ purpose: null, places: [] });
+export type Purpose = 'field' | 'boundary' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate';
+export const drawing = store<{
+  purpose: Purpose | null;
+  places: Place[];
+  /** The corner that Delete takes away. */
+  chosen: number | null;
+  /** What Undo and Redo go to. */
+  past: Place[][];
+  future: Place[][];
+  /** Whether the last place was set by pointing: then Enter is done, else it sets the next one. */
+  pointed: boolean;
+}>({ purpose: null, places: [], chosen: null, past: [], future: [], pointed: false });
 
 /** Whether it is a single place, which each click sets anew. */
 export const single = (purpose: Purpose | null) => purpose === 'obstacle-point' || purpose === 'gate';
 /** How many places a shape needs at least. */
 export const least = (purpose: Purpose) =>
   single(purpose) ? 1 : purpose === 'guide' || purpose === 'obstacle-line' ? 2 : 3;
-export const closed = (purpose: Purpose | null) => purpose === 'field' || purpose === 'obstacle-area';
+export const closed = (purpose: Purpose | null) => purpose === 'field' || purpose === 'boundary' || purpose === 'obstacle-area';

@@ -1,25 +1,35 @@
 // What the user asks a plan for.
-import type { EndRule, Machine, Place, PlanRequest, PlanSettings, Prices } from '../api/types';
+import type { Asked, EndRule, Machine, Place, PlanFull, PlanRequest, PlanSettings, Prices } from '../api/types';
 import { store } from './store';
 
 export type Shape = 'straight' | 'curved' | 'auto';
+/** What plans are compared by: the whole job at the rates of the machine, or tracks alone at prices of their own. */
+export type By = 'whole' | 'prices' | 'sliders';
+/** A number of headland passes, or as many as turns need. */
+export type Passes = number | 'auto';
 
-export interface PlanForm {
+/** What differs between plans of the whole job and of tracks alone where nobody has chosen. */
+interface Usual {
+  headlands: Passes;
+  obstacle_headlands: Passes;
+  shape: Shape;
+  boundary: 'soft' | 'hard';
+  route: boolean;
+}
+const WHOLE: Usual = { headlands: 'auto', obstacle_headlands: 'auto', shape: 'auto', boundary: 'hard', route: true };
+const TRACKS: Usual = { headlands: 0, obstacle_headlands: 0, shape: 'straight', boundary: 'soft', route: false };
+
+export interface PlanForm extends Usual {
   machine: Machine;
-  by: 'prices' | 'sliders';
+  by: By;
   prices: Prices;
   sliders: { overlap: number; uncovered: number; turns: number };
   end_rule: EndRule;
-  headlands: number;
-  obstacle_headlands: number;
-  shape: Shape;
   line: Place[] | null;
   clearance_m: number;
   avoid: 'cheapest' | 'cut';
-  boundary: 'soft' | 'hard';
   again: boolean;
-  /** The whole route, and how. Gates belong to the open field. */
-  route: boolean;
+  /** How the whole route is driven. Gates belong to the open field. */
   order: string;
   headland_time: 'first' | 'last';
   start: Place | null;
@@ -33,23 +43,19 @@ export const priceAt = (notch: number, usual: number) => (notch === 0 ? 0 : usua
 
 /** What is drawn on a field, and means nothing on another. */
 export const OF_THE_FIELD = { line: null, start: null, end: null };
-const KEEP = 'tramline-plan-form';
+const KEEP = 'tramline-plan-form-2';
 const first: PlanForm = {
   machine: { width_m: 6, radius_m: 6 },
-  by: 'prices',
+  by: 'whole',
   prices: USUAL,
   sliders: { overlap: MIDDLE, uncovered: MIDDLE, turns: MIDDLE },
   end_rule: 'cheapest',
-  headlands: 0,
-  obstacle_headlands: 0,
-  shape: 'straight',
   clearance_m: 0,
   avoid: 'cheapest',
-  boundary: 'soft',
   again: true,
-  route: false,
   order: 'best',
   headland_time: 'last',
+  ...WHOLE,
   ...OF_THE_FIELD,
 };
 
@@ -64,8 +70,19 @@ function kept(): PlanForm {
 export const form = store<PlanForm>(kept());
 form.listen(() => localStorage.setItem(KEEP, JSON.stringify({ ...form.get(), ...OF_THE_FIELD })));
 
+/** From the whole job to tracks alone or back: what is usual there takes the place of what was usual here. */
+export function planBy(by: By): void {
+  const value = form.get();
+  const [from, to] = [value.by === 'whole' ? WHOLE : TRACKS, by === 'whole' ? WHOLE : TRACKS];
+  const change: Partial<PlanForm> = { by };
+  for (const key of Object.keys(to) as (keyof Usual)[]) if (value[key] === from[key]) Object.assign(change, { [key]: to[key] });
+  // Tracks alone have no turns that would tell how many passes they need.
+  if (by !== 'whole') for (const key of ['headlands', 'obstacle_headlands'] as const) if (value[key] === 'auto') change[key] = 0;
+  form.set(change);
+}
+
 export function pricesOf(value: PlanForm): Prices {
-  if (value.by === 'prices') return value.prices;
+  if (value.by !== 'sliders') return value.prices;
   return {
     overlap: priceAt(value.sliders.overlap, USUAL.overlap),
     uncovered: priceAt(value.sliders.uncovered, USUAL.uncovered),
@@ -82,7 +99,7 @@ export interface Counts {
   stops: number;
   further_subfields?: number;
 }
-/** What a plan costs at the prices of the form. Plans made for other prices are held against it by the same ones. */
+/** What the tracks of a plan cost at the prices of the form. Plans made for other prices are held against it by the same ones. */
 export function costOf(counts: Counts, value: PlanForm = form.get()): number {
   const prices = pricesOf(value);
   return prices.overlap * counts.overlap_m2 + prices.uncovered * counts.uncovered_m2 + prices.turn * counts.turns + prices.stop * counts.stops
@@ -98,26 +115,102 @@ function routeOf(value: PlanForm): PlanSettings {
   return out;
 }
 
-export function requestOf(value: PlanForm, field: string): PlanRequest {
-  const settings: PlanSettings = { end_rule: value.end_rule };
-  if (value.headlands > 0) settings.headlands = value.headlands;
-  if (value.obstacle_headlands > 0) settings.obstacle_headlands = value.obstacle_headlands;
-  if (value.shape === 'curved') settings.curved = 'always';
-  if (value.shape === 'auto') settings.curved = 'auto';
+const CURVED: Record<Shape, 'never' | 'always' | 'auto'> = { straight: 'never', curved: 'always', auto: 'auto' };
+
+function settingsOf(value: PlanForm): PlanSettings {
+  const settings: PlanSettings = {
+    end_rule: value.end_rule, headlands: value.headlands, obstacle_headlands: value.obstacle_headlands, boundary: value.boundary, curved: CURVED[value.shape],
+  };
   if (value.clearance_m > 0) settings.clearance_m = value.clearance_m;
   if (value.avoid !== 'cheapest') settings.avoid = value.avoid;
-  if (value.boundary !== 'soft') settings.boundary = value.boundary;
   if (value.line && value.line.length > 1) {
     // A line with bends makes tracks curved; straight ones follow it from end to end.
     const [begin, end] = [value.line[0]!, value.line[value.line.length - 1]!];
     settings.line = value.shape === 'straight' ? [begin, end] : value.line;
     delete settings.curved;
   }
-  if (value.route) Object.assign(settings, routeOf(value));
-  const { name, width_m, radius_m, min_length_m, turning } = value.machine;
+  return Object.assign(settings, value.by === 'whole' || value.route ? routeOf(value) : { route: false });
+}
+
+export function requestOf(value: PlanForm, field: string): PlanRequest {
+  const { name, width_m, radius_m, min_length_m, turning, rates } = value.machine;
   const machine: Machine = { width_m, radius_m };
   if (name) machine.name = name;
   if (typeof min_length_m === 'number') machine.min_length_m = min_length_m;
   if (turning) machine.turning = turning;
-  return { field, machine, objective: { prices: pricesOf(value) }, settings };
+  if (rates && Object.keys(rates).length > 0) machine.rates = rates;
+  return { field, machine, settings: settingsOf(value), ...(value.by === 'whole' ? {} : { objective: { prices: pricesOf(value) } }) };
+}
+
+/** A comparison takes straight tracks in directions of its own, and as many headland passes as it is told. */
+export interface CompareRequest {
+  request: PlanRequest;
+  /** What it does otherwise than the form says, in words. */
+  instead: string[];
+}
+
+/** Passes that are left to turns are as many as the plan on the map has all round. */
+export function compareRequestOf(value: PlanForm, field: string, passes: number, land: Prices = value.prices): CompareRequest {
+  const instead: string[] = [];
+  if (value.by === 'whole') instead.push('Tracks are compared by themselves, without the way between them.');
+  if (value.line) instead.push('Tracks go in every direction, not only along the line that is chosen.');
+  if (value.shape !== 'straight') instead.push('All tracks are straight.');
+  const settle = (asked: Passes, usual: number, what: string) => {
+    if (asked !== 'auto') return asked;
+    instead.push(`${usual === 0 ? 'No' : usual} headland ${usual === 1 ? 'pass' : 'passes'} ${what}.`);
+    return usual;
+  };
+  const tracks: PlanForm = {
+    ...value, by: value.by === 'whole' ? 'prices' : value.by, prices: value.by === 'whole' ? land : value.prices, route: false, shape: 'straight', line: null,
+    headlands: settle(value.headlands, passes, 'go round the field'),
+    obstacle_headlands: value.obstacle_headlands === 'auto' ? 0 : value.obstacle_headlands,
+  };
+  const request = requestOf(tracks, field);
+  delete request.settings.curved;
+  return { request, instead };
+}
+
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
+const shapeOf = (curved: string | undefined, usual: Shape): Shape => (Object.keys(CURVED) as Shape[]).find((shape) => CURVED[shape] === curved) ?? usual;
+
+/** What the form says of a request, so that the next one is like it but for what is changed. */
+function asAsked({ machine, objective, settings = {} }: Asked, value: PlanForm): Partial<PlanForm> {
+  const usual = objective ? TRACKS : WHOLE;
+  const by: By = !objective ? 'whole' : same(objective.prices, pricesOf({ ...value, by: 'sliders' })) ? 'sliders' : 'prices';
+  const bends = (settings.line?.length ?? 0) > 2;
+  return {
+    machine: { ...machine, ...(same({ ...value.machine, id: undefined }, machine) && value.machine.id ? { id: value.machine.id } : {}) },
+    by,
+    ...(objective && by === 'prices' ? { prices: { ...USUAL, ...objective.prices } } : {}),
+    end_rule: settings.end_rule ?? 'cheapest',
+    headlands: settings.headlands ?? usual.headlands,
+    obstacle_headlands: settings.obstacle_headlands ?? usual.obstacle_headlands,
+    boundary: settings.boundary ?? usual.boundary,
+    route: settings.route ?? usual.route,
+    shape: settings.line ? (bends ? 'curved' : 'straight') : shapeOf(settings.curved, usual.shape),
+    clearance_m: settings.clearance_m ?? 0,
+    avoid: settings.avoid === 'cut' ? 'cut' : 'cheapest',
+    line: settings.line ?? null,
+    order: settings.order ?? 'best',
+    headland_time: settings.headland_time ?? 'last',
+    start: settings.start ?? null,
+    end: settings.end ?? null,
+  };
+}
+
+let showing = false;
+/** Whether the form changes because a plan was opened, not because the user asks for another one. */
+export const isShowing = () => showing;
+
+/** The form shows what the plan was made with; of plans that nobody asked for by a form, what machine they are for. */
+export function showAsked(plan: PlanFull): void {
+  const value = form.get();
+  const { width_m, radius_m } = plan.summary;
+  showing = true;
+  try {
+    if (plan.asked) form.set(asAsked(plan.asked, value));
+    else if (value.machine.width_m !== width_m || value.machine.radius_m !== radius_m) form.set({ machine: { ...value.machine, width_m, radius_m } });
+  } finally {
+    showing = false;
+  }
 }

@@ -1,5 +1,5 @@
 // A stream of work: a log replayed at any speed, or a live feed.
-import type { WorkFigures } from '../api/types';
+import type { Place, WorkFigures } from '../api/types';
 import { store } from './store';
 
 export const replay = store<{
@@ -17,6 +17,11 @@ export const replay = store<{
   figures: WorkFigures | null;
   message: string | null;
   connected: boolean;
+  /** The map stays over the machine. */
+  follows: boolean;
+  at: Place | null;
+  heading_deg: number | null;
+  speed_mps: number | null;
 }>({
   of: null,
   id: null,
@@ -32,4 +37,8 @@ export const replay = store<{
   figures: null,
   message: null,
   connected: true,
+  follows: true,
+  at: null,
+  heading_deg: null,
+  speed_mps: null,
 });

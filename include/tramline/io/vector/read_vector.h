@@ -21,6 +21,7 @@ struct VectorQuery {
   std::optional<long long> fid;         ///< only the feature with this number
   long long limit = -1;                 ///< stop after so many features of a layer; negative: read all
   std::vector<std::string> attributes;  ///< to be read, whatever the case of their names in the file
+  bool every_attribute = false;         ///< read all attributes, by their names in the file
   bool all_layers = false;              ///< read every layer, whatever its geometry (obstacle files)
   WantedShapes shapes = WantedShapes::kPolygons;
 };

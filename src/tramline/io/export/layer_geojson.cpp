@@ -43,7 +43,7 @@ LocalFrame shown_frame(const LocalFrame& frame) {
 }
 
 std::string layer_geojson(const std::filesystem::path& file, const LocalFrame& frame,
-                          const std::string& layer) {
+                          const std::string& layer, double tolerance_m) {
   GdalErrors errors;
   const GDALDatasetUniquePtr from = opened(file);
   OGRLayer& source = layer_with_shapes(*from, layer);
@@ -58,7 +58,8 @@ std::string layer_geojson(const std::filesystem::path& file, const LocalFrame& f
     const GDALDatasetUniquePtr to(driver->Create(folder.file(name).c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     std::vector<Skipped> shortened;
     if (to != nullptr)
-      copy_layer(source, *to, {ExportFormat::kGeoJson, target, offset_of(frame), time_of_files()}, shortened);
+      copy_layer(source, *to,
+                 {ExportFormat::kGeoJson, target, offset_of(frame), time_of_files(), tolerance_m}, shortened);
   }
   const std::span<const std::byte> bytes = folder.bytes(name);
   if (errors.any() || bytes.empty())

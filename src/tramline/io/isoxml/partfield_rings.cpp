@@ -106,6 +106,9 @@ void add_partfield(const pugi::xml_node& partfield, const std::string& file, Raw
   RawLayer& obstacles = dataset.layers[1];
   const std::string id = partfield.attribute("A").value();
   RawFeature boundary = feature_of(fields, id);
+  for (const auto& [key, name] : {std::pair{"B", "code"}, std::pair{"C", "designator"}})
+    if (const std::string value = partfield.attribute(key).value(); !value.empty())
+      boundary.attributes[name] = value;
   bool whole = true;
   for (const pugi::xml_node polygon : partfield.children("PLN")) {
     const std::string_view type = polygon.attribute("A").value();

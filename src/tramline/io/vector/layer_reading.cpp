@@ -49,13 +49,22 @@ void add_attributes(const OGRFeature& feature, const std::vector<std::string>& n
   }
 }
 
+void add_every_attribute(const OGRFeature& feature, RawFeature& out) {
+  for (int i = 0; i < feature.GetFieldCount(); ++i)
+    if (feature.IsFieldSetAndNotNull(i))
+      out.attributes[feature.GetFieldDefnRef(i)->GetNameRef()] = feature.GetFieldAsString(i);
+}
+
 }  // namespace
 
 RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes, const VectorQuery& query) {
   RawFeature out;
   out.fid = feature.GetFID();
   out.id = feature_id(feature);
-  add_attributes(feature, query.attributes, out);
+  if (query.every_attribute)
+    add_every_attribute(feature, out);
+  else
+    add_attributes(feature, query.attributes, out);
   flatten_geometry(feature.GetGeometryRef(), axes, out);
   return out;
 }

@@ -29,6 +29,13 @@ constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
+/// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
+/// routes, headlands of other depths, and other obstacles with headlands.
+constexpr double kBegun = 0.2;
+constexpr double kFirstRoutes = 0.5;
+constexpr double kDepthFound = 0.75;
+constexpr double kObstaclesFound = 0.85;
+
 /// A plan to be compared. It has its route where it has a price.
 struct Entry {
   LaidOut laid;
@@ -53,12 +60,16 @@ class Comparison {
  public:
   Comparison(const PlanningProblem& problem, const std::vector<Plan>& layouts, Compare compare,
              const SearchContext& context)
-      : problem_(problem), compare_(compare), context_(context), layouts_(problem, layouts, context) {
+      : problem_(problem),
+        compare_(compare),
+        context_(context),
+        layouts_(problem, layouts, context.uncounted()) {
     problem_.settings.turns = TurnPlanning::kNone;
   }
 
   ComparedRoutes cheapest(const RoomForTurns& room_for_turns) {
     for (LaidOut& laid : layouts_.to_begin_with()) add(std::move(laid));
+    context_.reach(kBegun);
     plan_routes();
     narrow_ = best_ && passes_work_most(best().prepared);
     if (!best_ || (goes_on() && open_passes_may_pay())) {
@@ -66,7 +77,9 @@ class Comparison {
       plan_routes();
     }
     if (goes_on()) vary_depth();
+    context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
+    context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
     if (!best_ || (goes_on() && lacks_room())) deepened = with_room(room_for_turns);
@@ -136,9 +149,12 @@ class Comparison {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [this](std::size_t a, std::size_t b) { return entries_[a].floor < entries_[b].floor; });
-    for (const std::size_t i : order) {
-      entries_[i].lacks_room_like_others = others_lack_room(entries_[i]);
-      improves(i);
+    for (std::size_t done = 0; done < order.size(); ++done) {
+      Entry& entry = entries_[order[done]];
+      entry.lacks_room_like_others = others_lack_room(entry);
+      improves(order[done]);
+      const double share = static_cast<double>(done + 1) / static_cast<double>(order.size());
+      context_.reach(kBegun + (kFirstRoutes - kBegun) * share);
     }
   }
 

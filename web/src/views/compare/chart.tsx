@@ -2,6 +2,7 @@
 import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
 import { count, money, plural, squareMetres } from '../../format';
+import { axis } from './axis';
 import { marksOf } from './marks';
 
 const W = 380;
@@ -10,28 +11,6 @@ const LEFT = 58;
 const BOTTOM = 46;
 const TOP = 14;
 const RIGHT = 14;
-
-interface Axis {
-  /** 0 … 1 along the axis. */
-  at: (value: number) => number;
-  ticks: number[];
-}
-const ROUND = [0, 1, 2, 5].flatMap((n) => (n === 0 ? [0] : [1, 10, 100, 1000, 10_000, 100_000].map((power) => n * power))).sort((a, b) => a - b);
-const LEAST_APART = 0.13;
-
-/** By the square root: most plans lie close together near the corner, a few far out. */
-function axis(values: number[]): Axis {
-  const [low, high] = [Math.sqrt(Math.min(...values)), Math.sqrt(Math.max(...values, 1))];
-  const room = Math.max(high - low, high / 20) * 0.06;
-  const [least, most] = [Math.max(0, low - room), high + room];
-  const at = (value: number) => (Math.sqrt(value) - least) / (most - least);
-  const ticks: number[] = [];
-  for (const tick of ROUND) {
-    const last = ticks[ticks.length - 1];
-    if (at(tick) >= 0 && at(tick) <= 1 && (last === undefined || at(tick) - at(last) >= LEAST_APART)) ticks.push(tick);
-  }
-  return { at, ticks };
-}
 
 interface Props {
   points: FrontPoint[];
@@ -42,6 +21,7 @@ interface Props {
 }
 
 const REACH_PX = 32;
+const tickText = (m2: number) => (m2 === 0 || m2 >= 1 ? count(m2) : String(m2));
 
 export function Chart({ points, open, hovered, hover, choose }: Props) {
   const name = useId();
@@ -89,13 +69,13 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
         {across.ticks.map((tick) => (
           <g key={tick}>
             <line class="rule" x1={x(tick)} x2={x(tick)} y1={TOP} y2={H - BOTTOM} />
-            <text x={x(tick)} y={H - BOTTOM + 17} text-anchor="middle">{count(tick)}</text>
+            <text x={x(tick)} y={H - BOTTOM + 17} text-anchor="middle">{tickText(tick)}</text>
           </g>
         ))}
         {up.ticks.map((tick) => (
           <g key={tick}>
             <line class="rule" x1={LEFT} x2={W - RIGHT} y1={y(tick)} y2={y(tick)} />
-            <text x={LEFT - 7} y={y(tick) + 4} text-anchor="end">{count(tick)}</text>
+            <text x={LEFT - 7} y={y(tick) + 4} text-anchor="end">{tickText(tick)}</text>
           </g>
         ))}
         <text x={W - RIGHT} y={H - 8} text-anchor="end">Overlap, m² →</text>

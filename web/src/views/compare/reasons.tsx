@@ -1,6 +1,10 @@
 // Why the plan on the map won: what its cost is made of, and what the next best would cost more.
-import type { Explain, PlanFull, RunnerUp } from '../../api/types';
-import { degrees, money, plural, squareMetres } from '../../format';
+import type { ComparedRoute, Explain, PlanFull, PlanItem, RunnerUp } from '../../api/types';
+import { change, degrees, hours, money, plural, squareMetres, width } from '../../format';
+import { costOf, form, pricesOf } from '../../state/plan_form';
+import { plans } from '../../state/plans';
+import { useStore } from '../../state/store';
+import { CostParts } from '../plan/cost_parts';
 
 const REASONS: Record<string, string> = {
   overlap: 'more overlap', uncovered: 'more uncovered land', turns: 'more turns', stops: 'more stops',
@@ -14,17 +18,75 @@ export function Reasons({ plan }: { plan: PlanFull }) {
   return (
     <section aria-labelledby="why-title">
       <h2 id="why-title">Why the plan on the map won</h2>
-      {plan.explain ? <Told explain={plan.explain} /> : <p class="hint">This plan was stored without its reasons. Make it again under Plan to see them.</p>}
+      {(!plan.explain || plan.asked?.settings?.line) && <p>{withoutSearch(plan)}</p>}
+      {plan.explain && <Told explain={plan.explain} />}
+      {!plan.explain?.causes?.length && (plan.summary.whole_cost ? <CostParts cost={plan.summary.whole_cost} /> : <TrackParts plan={plan} />)}
+      {!plan.explain && <Stored plan={plan} />}
     </section>
   );
 }
 
-function Told({ explain }: { explain: Explain }) {
-  const causes = explain.causes.filter((cause) => cause.cost > 0).sort((a, b) => b.cost - a.cost);
-  const most = Math.max(...causes.map((cause) => cause.cost), 1e-9);
+/** Why nothing was searched for. */
+function withoutSearch({ asked, kind, summary }: PlanFull): string {
+  if (kind === 'repair') return 'It works what a drive has missed: its lines follow the gaps.';
+  if (asked?.settings?.line) return 'Its tracks follow the line that you chose, so that no other direction was searched.';
+  if (summary.kind !== 'straight') return 'Its tracks follow the edge along which they cost least.';
+  return 'It was chosen among the plans worth a choice, or stored without its reasons.';
+}
+
+/** What the cost of tracks is made of, at the prices of the form. */
+function TrackParts({ plan: { summary } }: { plan: PlanFull }) {
+  const prices = pricesOf(useStore(form, (value) => value));
+  const parts = [
+    { label: 'Overlap', of: prices.overlap * summary.overlap_m2, said: squareMetres(summary.overlap_m2) },
+    { label: 'Uncovered land', of: prices.uncovered * summary.uncovered_m2, said: squareMetres(summary.uncovered_m2) },
+    { label: 'Turns', of: prices.turn * summary.turns, said: plural(summary.turns, 'turn') },
+    { label: 'Stops', of: prices.stop * summary.stops, said: plural(summary.stops, 'stop') },
+  ].filter(({ of }) => of > 0.005);
+  const most = Math.max(...parts.map(({ of }) => of), 1e-9);
   return (
     <>
       <h3>What its cost is made of</h3>
+      <ul class="bars">
+        {parts.map(({ label, of, said }) => (
+          <li key={label}>
+            <div class="between"><span>{label}</span><span class="number">{money(of)}</span></div>
+            <span class="bar" style={{ width: `${((100 * of) / most).toFixed(1)}%` }} />
+            <span class="sub">{said}</span>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+/** Other plans of the field of the same kind, from the cheapest. */
+function Stored({ plan }: { plan: PlanFull }) {
+  const list = useStore(plans, (value) => value.list);
+  const whole = plan.summary.whole_cost;
+  const price = (item: PlanItem) => (whole ? (item.route?.euros ?? null) : item.route ? null : costOf(item));
+  const own = whole ? whole.euros : costOf(plan.summary);
+  const others = list.filter((item) => item.id !== plan.id && price(item) !== null).sort((a, b) => price(a)! - price(b)!).slice(0, 5);
+  if (others.length === 0) return null;
+  return (
+    <>
+      <h3>Other plans of this field</h3>
+      <ul class="plain">
+        {others.map((item) => (
+          <li key={item.id}>{`${item.name}, ${width(item.width_m)} wide: ${money(price(item))}, ${change(price(item)! - own, money)} to the plan on the map.`}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+function Told({ explain }: { explain: Explain }) {
+  const causes = (explain.causes ?? []).filter((cause) => cause.cost > 0).sort((a, b) => b.cost - a.cost);
+  const most = Math.max(...causes.map((cause) => cause.cost), 1e-9);
+  return (
+    <>
+      {explain.routes && <Routes routes={explain.routes} />}
+      {causes.length > 0 && <h3>What its cost is made of</h3>}
       <ul class="bars">
         {causes.map((cause) => (
           <li key={cause.cause}>
@@ -38,10 +100,10 @@ function Told({ explain }: { explain: Explain }) {
           </li>
         ))}
       </ul>
-      <h3>The next best plans</h3>
-      {explain.runner_ups.length === 0 ? <p class="hint">No plan of another kind was considered.</p> : (
-        <ul class="plain">{explain.runner_ups.map((other, i) => <li key={i}>{sentence_of(other)}</li>)}</ul>
-      )}
+      {!explain.routes && <h3>The next best plans</h3>}
+      {!explain.routes && ((explain.runner_ups ?? []).length === 0 ? <p class="hint">No other plan was considered.</p> : (
+        <ul class="plain">{(explain.runner_ups ?? []).map((other, i) => <li key={i}>{sentence_of(other)}</li>)}</ul>
+      ))}
     </>
   );
 }
@@ -52,3 +114,35 @@ function sentence_of(other: RunnerUp): string {
   const saved = Object.entries(other.more_by).filter(([, more]) => more < -0.005).map(([what]) => (what === 'uncovered' ? 'uncovered land' : what));
   return `${how}: ${money(other.more)} more expensive, mostly because of ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, although it saves ${saved.join(' and ')}` : ''}.`;
 }
+
+/** Plans whose whole routes were compared: the one on the map first. */
+function Routes({ routes }: { routes: ComparedRoute[] }) {
+  return (
+    <>
+      <h3>Whole routes that were compared</h3>
+      <table class="differences">
+        <thead><tr><th>Tracks and headlands</th><th>Cost</th><th>Time</th></tr></thead>
+        <tbody>
+          {routes.map((route, i) => (
+            <tr key={i} class={i === 0 ? 'total' : ''}>
+              <th scope="row">
+                {towards(route)}
+                <span class="sub">{passes(route)}{route.without_room > 0 && `; ${plural(route.without_room, 'leg')} without room`}</span>
+              </th>
+              <td>{money(route.euros)}</td>
+              <td>{hours(route.hours)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </>
+  );
+}
+
+function towards({ directions_deg }: ComparedRoute): string {
+  if (directions_deg.length === 0) return 'Headland passes alone';
+  const shown = directions_deg.slice(0, 3).map(degrees).join(', ');
+  return `Towards ${shown}${directions_deg.length > 3 ? ' …' : ''}`;
+}
+const passes = ({ headlands, all_round, kind }: ComparedRoute) =>
+  `${headlands === 0 ? 'no headland' : `${plural(headlands, 'pass', 'passes')} ${all_round ? 'all round' : 'where tracks end'}`}${kind === 'adjacent order' ? ', one track beside the other' : ''}`;

@@ -4,7 +4,7 @@ import { attempt } from '../../actions/notices';
 import { deletePlan, openPlan } from '../../actions/plans';
 import { planFile } from '../../api/addresses';
 import type { PlanFull, PlanItem, PlanSummary } from '../../api/types';
-import { change, count, endRule, length, money, percent, squareMetres, when } from '../../format';
+import { change, count, endRule, hours, length, litres, money, percent, squareMetres, when } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { ConfirmButton } from '../../parts/confirm_button';
@@ -13,11 +13,12 @@ import { Icon } from '../../parts/icon';
 import { compare } from '../../state/compare';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
+import { sameRates } from '../../state/rates';
 import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
   const number = all.length - all.indexOf(plan);
-  return `${number} · ${money(costOf(plan))} · ${plan.name || when(plan.created)}${plan.draft ? ' · draft' : ''}`;
+  return `${number} · ${money(plan.route ? plan.route.euros : costOf(plan))}${plan.route ? '' : ' tracks'} · ${plan.name || when(plan.created)}${plan.draft ? ' · draft' : ''}`;
 };
 
 export function SideBySide() {
@@ -74,13 +75,19 @@ const Side = ({ side, title, plan, options }: SideProps) => (
 
 interface Row {
   label: string;
-  of: (summary: PlanSummary) => number;
+  /** Null where the plan has no such figure; then nothing is compared. */
+  of: (summary: PlanSummary) => number | null;
   write: (value: number) => string;
 }
 const costAtHand = (summary: PlanSummary) => costOf(summary);
+const whole = (summary: PlanSummary) => summary.whole_cost;
 const ROWS: Row[] = [
-  { label: 'Cost', of: costAtHand, write: money },
+  { label: 'Whole cost', of: (s) => whole(s)?.euros ?? null, write: money },
+  { label: 'Time', of: (s) => whole(s)?.hours ?? null, write: hours },
+  { label: 'Fuel', of: (s) => whole(s)?.litres ?? null, write: litres },
+  { label: 'Cost of tracks', of: costAtHand, write: money },
   { label: 'Overlap', of: (s) => s.overlap_m2, write: squareMetres },
+  { label: 'Of it outside', of: (s) => s.outside_m2, write: squareMetres },
   { label: 'Uncovered', of: (s) => s.uncovered_m2, write: squareMetres },
   { label: 'Turns', of: (s) => s.turns, write: count },
   { label: 'Stops', of: (s) => s.stops, write: count },
@@ -95,23 +102,39 @@ const WORDS: { label: string; of: (summary: PlanSummary) => string }[] = [
   { label: 'Width', of: (s) => `${s.width_m} m` },
 ];
 
+function Compared({ row: { label, of, write }, one, two }: { row: Row; one: PlanSummary; two: PlanSummary }) {
+  const [a, b] = [of(one), of(two)];
+  if (a === null && b === null) return null;
+  const difference = a === null || b === null || !alike(label, one, two) ? '' : change(b - a, write);
+  return <tr><th scope="row">{label}</th><td>{a === null ? '–' : write(a)}</td><td>{b === null ? '–' : write(b)}</td><td>{difference}</td></tr>;
+}
+
+/** Money of whole jobs is compared where it was counted by the same rates. */
+const alike = (label: string, one: PlanSummary, two: PlanSummary) =>
+  label !== 'Whole cost' || (whole(one) !== undefined && whole(two) !== undefined && sameRates(whole(one)!.rates, whole(two)!.rates));
+
+/** Which plan is cheaper, of two that money can be compared of. */
+function cheaper(one: PlanSummary, two: PlanSummary): { of: [number, number]; by: string } | null {
+  const [a, b] = [whole(one), whole(two)];
+  if (a && b) return sameRates(a.rates, b.rates) ? { of: [a.euros, b.euros], by: 'for the whole job, by the rates of the machine' } : null;
+  return a || b ? null : { of: [costOf(one), costOf(two)], by: 'at the prices under Plan' };
+}
+
 function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
   const [one, two] = [a.summary, b.summary];
-  const [cost1, cost2] = [costOf(one), costOf(two)];
-  const difference = cost1 - cost2;
-  const cheaper = difference > 0 ? 'second' : 'first';
+  const money_of = cheaper(one, two);
+  const difference = money_of ? money_of.of[0] - money_of.of[1] : 0;
   return (
     <>
-      {money(Math.abs(difference)) !== money(0) && (
-        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(difference))}</strong>{cost1 > 0 && `, ${percent(Math.abs(difference) / Math.max(cost1, cost2))}`}, at the prices under Plan.</p>
+      {money_of === null && <p class="hint">What they cost is not compared: {a.summary.whole_cost && b.summary.whole_cost ? 'they were counted by different rates' : 'one is of the whole job, the other of tracks alone'}.</p>}
+      {money_of && money(Math.abs(difference)) !== money(0) && (
+        <p>The <strong>{difference > 0 ? 'second' : 'first'} plan is cheaper by {money(Math.abs(difference))}</strong>{money_of.of[0] > 0 && `, ${percent(Math.abs(difference) / Math.max(...money_of.of))}`}, {money_of.by}.</p>
       )}
       <div class="wide-table" tabIndex={0} role="region" aria-label="Differences of the two plans">
         <table class="differences">
-          <thead><tr><th /><th>First</th><th>Second</th><th>Second − first</th></tr></thead>
+          <thead><tr><td /><th>First</th><th>Second</th><th>Second − first</th></tr></thead>
           <tbody>
-            {ROWS.map(({ label, of, write }) => (
-              <tr key={label}><th scope="row">{label}</th><td>{write(of(one))}</td><td>{write(of(two))}</td><td>{change(of(two) - of(one), write)}</td></tr>
-            ))}
+            {ROWS.map((row) => <Compared key={row.label} row={row} one={one} two={two} />)}
             {WORDS.map(({ label, of }) => (
               <tr key={label}><th scope="row">{label}</th><td>{of(one)}</td><td>{of(two)}</td><td>{of(one) === of(two) ? 'the same' : ''}</td></tr>
             ))}

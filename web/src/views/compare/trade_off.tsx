@@ -1,5 +1,5 @@
 import { useState } from 'preact/hooks';
-import { cancelFront, makeFront, openPoint } from '../../actions/compare';
+import { cancelFront, comparison, makeFront, openPoint } from '../../actions/compare';
 import { attempt } from '../../actions/notices';
 import type { FrontPoint } from '../../api/types';
 import { count, money, plural, squareMetres } from '../../format';
@@ -7,6 +7,7 @@ import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { Progress } from '../../parts/progress';
 import { compare } from '../../state/compare';
+import { form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { Chart } from './chart';
@@ -15,10 +16,16 @@ import { marksOf } from './marks';
 export function TradeOff({ field }: { field: string }) {
   const front = useStore(compare, (value) => (value.field === field ? value.front : null));
   const job = useStore(compare, (value) => value.job);
+  useStore(form, (value) => value);
+  useStore(plans, (value) => value.open);
+  const { instead } = comparison(field);
   return (
     <section aria-labelledby="front-title">
       <h2 id="front-title">Plans worth a choice</h2>
       {!front && <p class="hint">Fewer turns mean more overlap or more uncovered land. This finds the plans that no other plan beats in every number, for the machine and the settings under Plan.</p>}
+      {instead.length > 0 && !job && (
+        <p class="hint" role="note">{`A comparison is of tracks in all directions. ${instead.join(' ')}`}</p>
+      )}
       {job ? (
         <Progress job={job} title="Comparing" cancel={() => void attempt(cancelFront)} />
       ) : (
@@ -49,7 +56,7 @@ function Points({ points }: { points: FrontPoint[] }) {
         ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
       </p>
       <Expander title="The same as a table">
-        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">
+        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice, as a table">
           <table>
             <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
             <tbody>

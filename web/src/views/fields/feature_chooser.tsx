@@ -1,12 +1,16 @@
 // Which of the fields of a file?
-import { useState } from 'preact/hooks';
+import type { JSX } from 'preact';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { stopTaking, takeFeature, takeFeatures } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import type { Geometry, Place, Upload, UploadedFeature } from '../../api/types';
-import { hectares, plural, sentence } from '../../format';
+import { count, hectares, plural, sentence } from '../../format';
 import { Button } from '../../parts/button';
-import { arrowKeys, matching, Search } from '../../parts/search';
-import { fields } from '../../state/fields';
+import { Select } from '../../parts/choice';
+import { folded, Search, typedWords } from '../../parts/search';
+import { Windowed } from '../../parts/windowed';
+import { sorted, SORTINGS, wordsOf, type Sorting } from '../../state/chooser';
+import { calledField, fields, keyOf } from '../../state/fields';
 import { useStore } from '../../state/store';
 
 const SIZE = 56;
@@ -39,64 +43,82 @@ function Preview({ feature }: { feature: UploadedFeature }) {
   );
 }
 
-const keyOf = (feature: UploadedFeature) => `${feature.layer ?? ''}/${feature.fid}/${feature.id}`;
 const about = (feature: UploadedFeature) =>
   feature.refused === null
-    ? `${hectares(feature.area_m2)}${feature.obstacles > 0 ? ` · ${plural(feature.obstacles, 'obstacle')}` : ''}`
+    ? [hectares(feature.area_m2), feature.crop, feature.obstacles > 0 && plural(feature.obstacles, 'obstacle')].filter(Boolean).join(' · ')
     : `Cannot be used: ${sentence(feature.refused)}`;
+
+const ROW_PX = 84;
+
+/** The list in order, and the words of each, folded once: of a whole register that takes a while. */
+function useFound(list: UploadedFeature[], typed: string, sorting: Sorting): UploadedFeature[] {
+  const words = useMemo(() => new Map(list.map((feature) => [feature, folded(wordsOf(feature))])), [list]);
+  const inOrder = useMemo(() => sorted(list, sorting), [list, sorting]);
+  return useMemo(() => {
+    const wanted = typedWords(typed);
+    return wanted.length === 0 ? inOrder : inOrder.filter((feature) => wanted.every((word) => words.get(feature)!.includes(word)));
+  }, [inOrder, typed, words]);
+}
+
+const EMPTY: UploadedFeature[] = [];
 
 export function FeatureChooser({ upload }: { upload: Upload }) {
   const busy = useStore(fields, (value) => value.busy);
   const taking = useStore(fields, (value) => value.taking);
+  const ticked = useStore(fields, (value) => value.ticked);
+  const pointed = useStore(fields, (value) => value.pointed);
+  const reached = useStore(fields, (value) => value.reached);
   const [typed, setTyped] = useState('');
-  const [ticked, setTicked] = useState<ReadonlySet<string>>(new Set());
-  const list = upload.features ?? [];
-  const total = upload.features_total ?? list.length;
-  const found = matching(list, typed, (feature) => `${feature.id} ${about(feature)}`);
+  const [sorting, setSorting] = useState<Sorting>('file');
+  const list = upload.features ?? EMPTY;
+  const found = useFound(list, typed, sorting);
+  useEffect(() => fields.set({ found }), [found]);
+  useEffect(() => () => fields.set({ found: [], ticked: new Set(), pointed: null, reached: null }), []);
   const usable = found.filter((feature) => feature.refused === null);
   const chosen = list.filter((feature) => ticked.has(keyOf(feature)));
   const tick = (some: UploadedFeature[], on: boolean) => {
     const next = new Set(ticked);
     for (const feature of some) on ? next.add(keyOf(feature)) : next.delete(keyOf(feature));
-    setTicked(next);
+    fields.set({ ticked: next });
   };
   const allTicked = usable.length > 0 && usable.every((feature) => ticked.has(keyOf(feature)));
+  const row = (i: number, place?: JSX.CSSProperties) => {
+    const feature = found[i]!;
+    const key = keyOf(feature);
+    return (
+      <li key={key} class={key === pointed ? 'row tight pointed' : 'row tight'} style={place}>
+        <label class="tick">
+          <input type="checkbox" aria-label={`Tick ${calledField(feature)}`} checked={ticked.has(key)} disabled={feature.refused !== null || busy !== null}
+            onChange={(event) => tick([feature], event.currentTarget.checked)} />
+        </label>
+        <button type="button" class="card grow" disabled={feature.refused !== null || busy !== null} onMouseEnter={() => fields.set({ pointed: key })}
+          onClick={() => void attempt(() => takeFeature(upload, feature))}>
+          <Preview feature={feature} />
+          <span class="grow">
+            <strong>{calledField(feature)}</strong>
+            <span class="sub">{about(feature)}</span>
+          </span>
+        </button>
+      </li>
+    );
+  };
   return (
     <section aria-labelledby="choose-title">
       <h2 id="choose-title">Which field of {upload.name}?</h2>
-      {total > list.length && (
-        <p class="fault">
-          The file has {plural(total, 'field')}, of which the first {list.length} are listed. Split it into smaller files to reach the others.
-        </p>
+      <p class="hint">Click a field to open it. To store several at once, tick them here or click them on the map.</p>
+      {list.length > 1 && (
+        <>
+          <Search label="Search by name, area or any other attribute" typed={typed} found={found.length} all={list.length} list="features" change={setTyped} />
+          <Select label="In the order of" value={sorting} options={SORTINGS} change={setSorting} />
+        </>
       )}
-      <p class="hint">Click a field to open it. To store several at once, tick them.</p>
-      {list.length > 1 && <Search label="Search by name or area" typed={typed} found={found.length} all={list.length} list="features" change={setTyped} />}
       {usable.length > 1 && (
         <label class="tick">
           <input type="checkbox" checked={allTicked} disabled={busy !== null} onChange={() => tick(usable, !allTicked)} />
-          <span>{typed.trim() === '' ? `All ${usable.length} fields` : `All ${usable.length} that were found`}</span>
+          <span>{typed.trim() === '' ? `All ${count(usable.length)} fields` : `All ${count(usable.length)} that were found`}</span>
         </label>
       )}
-      <ul class="cards" id="features" onKeyDown={arrowKeys}>
-        {found.map((feature) => (
-          <li key={keyOf(feature)} class="row tight">
-            <label class="tick">
-              <input type="checkbox" aria-label={`Tick ${feature.id}`} checked={ticked.has(keyOf(feature))} disabled={feature.refused !== null || busy !== null}
-                onChange={(event) => tick([feature], event.currentTarget.checked)} />
-            </label>
-            <button
-              type="button" class="card grow" disabled={feature.refused !== null || busy !== null}
-              onClick={() => void attempt(() => takeFeature(upload, feature))}
-            >
-              <Preview feature={feature} />
-              <span class="grow">
-                <strong>{feature.id}</strong>
-                <span class="sub">{about(feature)}</span>
-              </span>
-            </button>
-          </li>
-        ))}
-      </ul>
+      <Windowed id="features" label="Fields of the file" count={found.length} row_px={ROW_PX} row={row} wanted={reached ? found.findIndex((feature) => keyOf(feature) === reached) : null} />
       <div class="sticky foot">
         {busy && <p class="hint" role="status">{busy}</p>}
         <div class="row">

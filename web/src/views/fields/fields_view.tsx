@@ -19,9 +19,9 @@ export function FieldsView() {
       <section aria-label="Bring a field">
         <DropZone
           label="Choose a file with a field"
-          hint="or drop it here: GeoJSON, GeoPackage, Shapefile (zipped), KML, ISOXML"
+          hint="or drop it here: GeoJSON, GeoPackage, KML, ISOXML, Shapefile (its .shp, .shx, .dbf and .prj together, or zipped)"
           busy={busy}
-          take={(file) => void attempt(() => takeFieldFile(file))}
+          take={(files) => void attempt(() => takeFieldFile(files))}
         />
         <div class="row">
           <Button onClick={() => drawFor('field', (geometry) => storeDrawnField('Drawn field', geometry))}>Draw a field</Button>

@@ -1,7 +1,8 @@
+import { drawFor } from '../../actions/drawing';
 import { changeField } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
-import type { FieldFull } from '../../api/types';
+import type { FieldFull, Place } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
@@ -18,12 +19,29 @@ export function OpenField({ field }: { field: FieldFull }) {
         {field.passable > 0 && ` · ${plural(field.passable, 'passable strip')}`}
         {!field.geodetic && ' · plain metres'}
       </p>
+      <div class="two">
+        <TitleField key={`${field.id} crop`} label="Crop" seen value={field.crop} save={(crop) => void attempt(() => changeField({ crop }))} />
+        <TitleField key={`${field.id} tags`} label="Tags" seen value={field.tags.join(', ')} save={(text) => void attempt(() => changeField({ tags: text.split(/[,;#]/).map((tag) => tag.trim()).filter((tag) => tag !== '') }))} />
+      </div>
       <Findings field={field} />
       <Obstacles field={field} />
       <AddObstacle />
+      <Button onClick={() => drawFor('boundary', (boundary) => changeField({ boundary }), ringOf(field))}>Change the boundary</Button>
       <Button kind="main" onClick={() => show('plan')}>Plan this field</Button>
     </section>
   );
+}
+
+/** The corners of the outer boundary. */
+function ringOf(field: FieldFull): Place[] {
+  const shape = field.shapes.features.find(({ properties }) => properties['kind'] === 'field')?.geometry;
+  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
+}
+
+/** The corners of an obstacle as it lies on the field. */
+function obstacleRing(field: FieldFull, number: number): Place[] {
+  const shape = field.shapes.features.find(({ properties }) => properties['number'] === number && properties['kind'] !== 'field')?.geometry;
+  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
 }
 
 function Findings({ field }: { field: FieldFull }) {
@@ -74,6 +92,8 @@ function Obstacles({ field }: { field: FieldFull }) {
               {number} · {kind === 'passable' ? 'passable' : 'obstacle'}
               {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
             </span>
+            <Button kind="quiet" aria-label={`Change obstacle ${number}`}
+              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry }] }), obstacleRing(field, number))}>Change</Button>
             <Button kind="quiet" aria-label={`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>Remove</Button>
           </li>
         ))}

@@ -1,17 +1,18 @@
 // What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last point.
 import { useState } from 'preact/hooks';
-import { add, finish, stop, undo } from '../../actions/drawing';
+import { add, finish, redo, removeCorner, stop, undo } from '../../actions/drawing';
 import { complain } from '../../actions/notices';
 import type { Place } from '../../api/types';
-import { metres, plural } from '../../format';
+import { hectares, metres, plural, squareMetres } from '../../format';
 import { engine } from '../../map/engine_loader';
-import { distance, moved } from '../../map/metres';
+import { distance, moved, ringArea } from '../../map/metres';
 import { Button } from '../../parts/button';
-import { drawing, least, type Purpose } from '../../state/drawing';
+import { closed, drawing, least, single, type Purpose } from '../../state/drawing';
 import { useStore } from '../../state/store';
 
 const WORDS: Record<Purpose, { title: string; done: string }> = {
-  field: { title: 'Click or tap the corners of the field, one after the other.', done: 'Store the field' },
+  field: { title: 'Click or tap the corners of the field, one after the other; the first once more closes it.', done: 'Store the field' },
+  boundary: { title: 'Drag corners, drag the small dots between them for new ones, or click further corners.', done: 'Keep this boundary' },
   'obstacle-point': { title: 'Click or tap the middle of the obstacle.', done: 'Add the obstacle' },
   'obstacle-line': { title: 'Click or tap the points of the line.', done: 'Add the obstacle' },
   'obstacle-area': { title: 'Click or tap the corners of the obstacle.', done: 'Add the obstacle' },
@@ -25,17 +26,23 @@ export function DrawingBar() {
   const places = useStore(drawing, (value) => value.places);
   if (!purpose) return null;
   const { title, done } = WORDS[purpose];
+  const chosen = useStore(drawing, (value) => value.chosen);
+  const past = useStore(drawing, (value) => value.past.length);
+  const future = useStore(drawing, (value) => value.future.length);
+  const ground = closed(purpose) && places.length > 2 ? ringArea(places) : 0;
   const last = places[places.length - 1];
   const before = places[places.length - 2];
   return (
     <div class="drawing-bar" role="group" aria-label="Drawing">
       <p>
-        {title} {places.length > 0 && <strong>{plural(places.length, 'point')} set{last && before ? `, the last ${metres(distance(before, last))} from the one before` : ''}.</strong>}
+        {title} {places.length > 0 && <strong>{plural(places.length, 'point')} set{last && before ? `, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose === 'obstacle-area' ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
       </p>
       {purpose !== 'edge' && <TypedPlace last={last ?? null} />}
       <div class="row">
         {purpose !== 'edge' && <Button kind="main" disabled={places.length < least(purpose)} onClick={() => void finish()}>{done}</Button>}
-        {purpose !== 'edge' && <Button disabled={places.length === 0} onClick={undo}>Undo</Button>}
+        {purpose !== 'edge' && <Button disabled={past === 0} onClick={undo}>Undo</Button>}
+        {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>Redo</Button>}
+        {purpose !== 'edge' && !single(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>Delete the corner</Button>}
         <Button onClick={stop}>Cancel</Button>
       </div>
     </div>
@@ -48,14 +55,14 @@ function TypedPlace({ last }: { last: Place | null }) {
     const numbers = text.trim().split(/[\s;]+|,\s*/).filter((part) => part !== '').map(Number);
     const [a, b] = numbers;
     if (numbers.length !== 2 || a === undefined || b === undefined || !Number.isFinite(a) || !Number.isFinite(b)) {
-      complain(last ? 'Type two numbers: metres to the east and to the north of the last point, such as “120 -40”.' : 'Type two numbers: longitude and latitude in degrees, such as “9.1478 52.6925”.');
+      complain(last ? 'Type two numbers: metres to the east and to the north of the last point, such as “120 -40”.' : 'Type two numbers: latitude and longitude in degrees, such as “52.6925 9.1478”.');
       return;
     }
-    if (!last && (Math.abs(a) > 180 || Math.abs(b) > 85)) {
-      complain('Longitude goes from −180 to 180, latitude from −85 to 85. Type them in this order.');
+    if (!last && (Math.abs(a) > 85 || Math.abs(b) > 180)) {
+      complain('Latitude goes from −85 to 85, longitude from −180 to 180. Type them in this order.');
       return;
     }
-    const place = last ? moved(last, a, b) : ([a, b] as Place);
+    const place = last ? moved(last, a, b) : ([b, a] as Place);
     add(place);
     const all = drawing.get().places;
     if (all.length < 2) engine()?.look(place, 100);
@@ -65,8 +72,8 @@ function TypedPlace({ last }: { last: Place | null }) {
   return (
     <form class="row" onSubmit={(event) => { event.preventDefault(); set(); }}>
       <label class="grow">
-        <span class="label">{last ? 'Or metres east and north of the last point' : 'Or longitude and latitude in degrees'}</span>
-        <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '9.1478 52.6925'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
+        <span class="label">{last ? 'Or metres east and north of the last point' : 'Or latitude and longitude in degrees'}</span>
+        <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '52.6925 9.1478'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
       </label>
       <button type="submit" class="button">Set</button>
     </form>

@@ -8,7 +8,8 @@ import { useStore } from '../../state/store';
 import { DriveLayers } from './drive_layer_list';
 import { LayerList } from './plan_layer_list';
 
-const narrow = matchMedia('(max-width: 760px)');
+/** Phones and tablets keep their map free. */
+const narrow = matchMedia('(max-width: 1100px)');
 
 export function Legend() {
   const view = useStore(session, (value) => value.view);
@@ -19,9 +20,11 @@ export function Legend() {
   const list = view === 'plan' || view === 'compare' ? plan && <LayerList /> : view === 'review' && drive && !moving ? <DriveLayers drive={drive} /> : null;
   if (!list) return null;
   return (
-    <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary>On the map</summary>
-      {list}
-    </details>
+    <aside class="unboxed" aria-label="Legend">
+      <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>On the map</summary>
+        {list}
+      </details>
+    </aside>
   );
 }

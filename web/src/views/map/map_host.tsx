@@ -2,10 +2,12 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { complain } from '../../actions/notices';
 import { metres } from '../../format';
+import { farmBox } from '../../map/boxes';
 import { engine, loadEngine } from '../../map/engine_loader';
 import type { Scale } from '../../map/grid';
 import { Icon } from '../../parts/icon';
 import { fields } from '../../state/fields';
+import { plans } from '../../state/plans';
 import { review } from '../../state/review';
 import { session, tilesHost } from '../../state/session';
 import { useStore } from '../../state/store';
@@ -26,8 +28,9 @@ export function MapHost() {
     }
     void loadEngine(() => box.current, setScale);
   }, []);
+  const drawing = useStore(plans, (value) => value.drawing);
   return (
-    <section class="map" aria-label="Map">
+    <section class="map" aria-label="Map" aria-busy={drawing}>
       <div ref={box} class="canvas" data-testid="map" />
       <div class="crosshair" aria-hidden="true" />
       <MapButtons />
@@ -61,7 +64,7 @@ function MapButtons() {
   const tilesOn = useStore(session, (value) => value.tiles);
   const fitAll = () => {
     const view = session.get().view;
-    const box = (view === 'review' ? review.get().drive?.bbox : null) ?? fields.get().open?.bbox;
+    const box = (view === 'review' ? review.get().drive?.bbox : null) ?? fields.get().open?.bbox ?? farmBox(fields.get().list ?? []);
     if (box) engine()?.fit(box);
   };
   return (

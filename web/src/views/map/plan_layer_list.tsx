@@ -4,7 +4,7 @@ import { switchLayer } from '../../actions/plans';
 import type { LayerItem } from '../../api/types';
 import { area, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
-import { PARTS_OF } from '../../map/plan_layers';
+import { PARTS_OF } from '../../map/layers/plan_layers';
 import { Switch } from '../../parts/switch';
 import { isShown, plans } from '../../state/plans';
 import { isNight, session } from '../../state/session';
@@ -13,14 +13,15 @@ import { useStore } from '../../state/store';
 type Mark = { colour: keyof Colours & string; form: 'area' | 'line' | 'dashed' };
 const KNOWN: Record<string, { title: string; mark: Mark }> = {
   overlap: { title: 'Overlap', mark: { colour: 'Overlap', form: 'area' } },
+  outside: { title: 'Of it outside the field', mark: { colour: 'NoRoom', form: 'dashed' } },
   uncovered: { title: 'Uncovered', mark: { colour: 'Uncovered', form: 'area' } },
+  headland_unworked: { title: 'Of it in the headland', mark: { colour: 'Uncovered', form: 'area' } },
   tracks: { title: 'Tracks', mark: { colour: 'Track', form: 'line' } },
   route_legs: { title: 'Route', mark: { colour: 'Turn', form: 'line' } },
   swaths: { title: 'Swaths', mark: { colour: 'Rule', form: 'area' } },
   detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
   headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
   headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
-  headland_unworked: { title: 'Headland left out', mark: { colour: 'Uncovered', form: 'area' } },
   subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
   given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
   worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },

@@ -71,7 +71,7 @@ function Verdict({ check: { ok, violations, findings, recomputed, stored } }: { 
       )}
       {recomputed && (
         <table class="differences">
-          <thead><tr><th /><th>Plan</th><th>Check</th></tr></thead>
+          <thead><tr><td /><th>Plan</th><th>Check</th></tr></thead>
           <tbody>
             {ROWS.map(({ label, of, write }) => (
               <tr key={label}><th scope="row">{label}</th><td>{write(of(stored))}</td><td>{write(of(recomputed))}</td></tr>

@@ -1,22 +1,66 @@
+// What the plan is to be cheapest in: the whole job, or tracks by themselves.
 import { money } from '../../format';
 import { Button } from '../../parts/button';
-import { Choice } from '../../parts/choice';
+import { Choice, Select } from '../../parts/choice';
 import { NumberField } from '../../parts/number_field';
 import { Slider } from '../../parts/slider';
-import { form, priceAt, USUAL } from '../../state/plan_form';
+import { form, planBy, priceAt, USUAL, type By } from '../../state/plan_form';
+import { GENERAL, OPERATIONS, RATES, usual, usualOf, type RateField } from '../../state/rates';
 import { useStore } from '../../state/store';
+
+const WAYS: { value: By; label: string; hint: string }[] = [
+  { value: 'whole', label: 'Whole job', hint: 'Hours, fuel, overlap, missed land and turns of the whole drive, in euros.' },
+  { value: 'prices', label: 'Tracks, by prices', hint: 'Tracks alone, without the way between them, at a price for each thing.' },
+  { value: 'sliders', label: 'Tracks, by sliders', hint: 'Tracks alone, without the way between them, by what matters to you.' },
+];
 
 export function CostsForm() {
   const by = useStore(form, (value) => value.by);
   return (
     <section aria-labelledby="objective-title">
-      <h2 id="objective-title">What it costs you</h2>
-      <Choice label="Set by" value={by} change={(value) => form.set({ by: value })}
-        options={[{ value: 'prices', label: 'Prices' }, { value: 'sliders', label: 'Sliders' }]} />
-      {by === 'prices' ? <ByPrices /> : <BySliders />}
+      <h2 id="objective-title">What has to cost least</h2>
+      <Choice label="Compare plans by" value={by} change={planBy} options={WAYS} hint={WAYS.find(({ value }) => value === by)?.hint ?? ''} />
+      {by === 'whole' ? <ByRates /> : by === 'prices' ? <ByPrices /> : <BySliders />}
     </section>
   );
 }
+
+/** The rates of the machine; what is left empty is as usual for the operation. */
+function ByRates() {
+  const machine = useStore(form, (value) => value.machine);
+  const operations = useStore(usual, (value) => value.operations);
+  const rates = machine.rates ?? {};
+  const known = usualOf(rates, operations);
+  const set = (change: Partial<typeof rates>) => {
+    const next = { ...rates, ...change };
+    for (const key of Object.keys(next) as (keyof typeof next)[]) if (next[key] === undefined) delete next[key];
+    form.set({ machine: { ...machine, rates: next } });
+  };
+  const clear = () => {
+    const { rates: _, ...rest } = machine;
+    form.set({ machine: { ...rest, ...(rates.operation ? { rates: { operation: rates.operation } } : {}) } });
+  };
+  return (
+    <>
+      <Select label="Work" value={rates.operation ?? GENERAL} change={(operation) => set({ operation })}
+        options={Object.entries(OPERATIONS).map(([value, label]) => ({ value, label }))} />
+      <div class="two">
+        {RATES.map((rate) => (
+          <Rate key={rate.key} rate={rate} value={rates[rate.key]} usual={known?.rates[rate.key]} set={(value) => set({ [rate.key]: value })} />
+        ))}
+      </div>
+      <p class="hint">
+        What is left empty is as usual for the work{known ? `: the grey numbers. ${known.standing_crop ? 'A standing crop: driving over it costs what missed land costs.' : 'No standing crop: it may be driven over.'}` : '.'}
+      </p>
+      {RATES.some(({ key }) => rates[key] !== undefined) && <Button kind="quiet" onClick={clear}>Usual rates</Button>}
+    </>
+  );
+}
+
+const Rate = ({ rate, value, usual: known, set }: { rate: RateField; value: number | undefined; usual: number | undefined; set: (value: number | undefined) => void }) => (
+  <NumberField label={rate.label} unit={rate.unit} value={value ?? null} least={rate.key === 'sections' ? 1 : 0} most={rate.most} optional whole={rate.whole ?? false}
+    placeholder={known === undefined ? '' : String(Math.round(known * 100) / 100)} change={(v) => set(v ?? undefined)} />
+);
 
 function ByPrices() {
   const prices = useStore(form, (value) => value.prices);
@@ -38,7 +82,7 @@ function ByPrices() {
 function BySliders() {
   const sliders = useStore(form, (value) => value.sliders);
   const set = (change: Partial<typeof sliders>) => form.set({ sliders: { ...form.get().sliders, ...change } });
-  const price = (notch: number, usual: number, per: string) => (notch === 0 ? 'does not matter' : `${money(priceAt(notch, usual))} ${per}`);
+  const price = (notch: number, usualPrice: number, per: string) => (notch === 0 ? 'does not matter' : `${money(priceAt(notch, usualPrice))} ${per}`);
   const ends: [string, string] = ['does not matter', 'matters most'];
   return (
     <>

@@ -2,7 +2,7 @@ import type { EndRule } from '../../api/types';
 import { Choice, Select } from '../../parts/choice';
 import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
-import { form } from '../../state/plan_form';
+import { form, type Passes } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
 const RULES: { value: EndRule; label: string }[] = [
@@ -14,15 +14,16 @@ const RULES: { value: EndRule; label: string }[] = [
 
 export function EndsForm() {
   const value = useStore(form, (v) => v);
+  const whole = value.by === 'whole';
   return (
     <section aria-labelledby="ends-title">
       <h2 id="ends-title">Ends and edges</h2>
       <Select label="Swaths end at a slanting edge" value={value.end_rule} options={RULES} change={(end_rule) => form.set({ end_rule })} />
       <div class="two">
-        <NumberField label="Headland passes" unit="" whole value={value.headlands} least={0} most={20} change={(v) => v !== null && form.set({ headlands: v })} />
-        <NumberField label="Passes round obstacles" unit="" whole value={value.obstacle_headlands} least={0} most={20}
-          change={(v) => v !== null && form.set({ obstacle_headlands: v })} />
+        <PassesField label="Headland passes" value={value.headlands} whole={whole} change={(headlands) => form.set({ headlands })} />
+        <PassesField label="Passes round obstacles" value={value.obstacle_headlands} whole={whole} change={(obstacle_headlands) => form.set({ obstacle_headlands })} />
       </div>
+      {whole && <p class="hint">Left empty: as many as turns need, and where they need them.</p>}
       <Expander title="Obstacles and the boundary">
         <Choice label="Tracks at obstacles" value={value.avoid} change={(avoid) => form.set({ avoid })}
           options={[{ value: 'cheapest', label: 'Go round where it pays' }, { value: 'cut', label: 'Always stop' }]} />
@@ -31,5 +32,13 @@ export function EndsForm() {
           options={[{ value: 'soft', label: 'Yes' }, { value: 'hard', label: 'No, there is a fence' }]} />
       </Expander>
     </section>
+  );
+}
+
+/** Of plans of the whole job the number may be left to turns. */
+function PassesField({ label, value, whole, change }: { label: string; value: Passes; whole: boolean; change: (passes: Passes) => void }) {
+  return (
+    <NumberField label={label} unit="" whole value={value === 'auto' ? null : value} least={0} most={20} optional={whole} placeholder={whole ? 'as needed' : ''}
+      change={(v) => (v !== null || whole) && change(v ?? 'auto')} />
   );
 }

@@ -1,49 +1,76 @@
-import type { PlanFull, Tally } from '../../api/types';
-import { change, count, degrees, hectares, length, money, percent, sentence, squareMetres } from '../../format';
+import type { PlanFull, PlanSummary, WholeCost } from '../../api/types';
+import { change, count, degrees, hectares, hours, length, litres, money, percent, plural, sentence, squareMetres } from '../../format';
 import { Expander } from '../../parts/expander';
 import { Figures, type Figure } from '../../parts/figures';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
+import { sameRates } from '../../state/rates';
 import { useStore } from '../../state/store';
+import { CostParts } from './cost_parts';
+import { OneDirection } from './one_direction';
 
-type Key = keyof Tally;
 /** A wider gap between plan and bound says nothing. */
 const TELLING = 0.3;
+const SAME_LAND_M2 = 1;
 
-function costFigure(now: number, before: number | null): Figure {
-  const told = before === null ? undefined : change(now - before, money);
-  const same = told === undefined || told.startsWith('±');
-  return { label: 'Cost', value: money(now), change: same && told ? 'as before' : told, better: same ? undefined : now < (before ?? now) };
+interface Row {
+  label: string;
+  of: (summary: PlanSummary) => number;
+  write: (value: number) => string;
+  tone?: Figure['tone'];
+  note?: string | undefined;
 }
 
+/** A value, and by how much it differs from a plan that it can be compared with. */
+function figure({ label, of, write, tone, note }: Row, now: PlanSummary, before: PlanSummary | null): Figure {
+  const by = before ? of(now) - of(before) : 0;
+  const told = before ? change(by, write) : undefined;
+  const same = told?.startsWith('±');
+  return { label, value: write(of(now)), change: same ? 'as before' : told, better: told === undefined || same ? undefined : by < 0, note, ...(tone ? { tone } : {}) };
+}
+
+const whole = (summary: PlanSummary): WholeCost => summary.whole_cost!;
+
+/** Figures of the same land are alike; money is where it was counted by the same rates. */
+const sameLand = (a: PlanSummary, b: PlanSummary) => Math.abs(a.area_m2 - b.area_m2) < SAME_LAND_M2;
+const bothWhole = (a: PlanSummary, b: PlanSummary) => a.whole_cost !== undefined && b.whole_cost !== undefined;
+const sameMoney = (a: PlanSummary, b: PlanSummary) => bothWhole(a, b) ? sameRates(whole(a).rates, whole(b).rates) : !a.whole_cost && !b.whole_cost;
+
 export function PlanFigures({ plan }: { plan: PlanFull }) {
-  const before = useStore(plans, (value) => value.before);
-  const s = plan.summary;
+  const last = useStore(plans, (value) => value.before);
   const prices = useStore(form, (value) => value);
-  const cost = (counts: Tally) => costOf(counts, prices);
-  const figure = (label: string, key: Key, write: (v: number) => string, tone?: Figure['tone']): Figure => {
-    const by = before ? s[key] - before[key] : 0;
-    const told = before ? change(by, write) : undefined;
-    return {
-      label, value: write(s[key]), change: told?.startsWith('±') ? 'as before' : told,
-      better: told === undefined || told.startsWith('±') ? undefined : by < 0, ...(tone ? { tone } : {}),
-    };
-  };
+  const s = plan.summary;
+  const before = last && sameLand(last, s) ? last : null;
+  const costs: Row[] = s.whole_cost
+    ? [
+        { label: 'Whole cost', of: (x) => whole(x).euros, write: money },
+        { label: 'Time', of: (x) => whole(x).hours, write: hours },
+        { label: 'Fuel', of: (x) => whole(x).litres, write: litres },
+      ]
+    : [{ label: 'Cost', of: (x) => costOf(x, prices), write: money }];
+  const land: Row[] = [
+    { label: 'Overlap', of: (x) => x.overlap_m2, write: squareMetres, tone: 'overlap', note: s.outside_m2 >= 0.5 ? `${squareMetres(s.outside_m2)} outside` : undefined },
+    { label: 'Uncovered', of: (x) => x.uncovered_m2, write: squareMetres, tone: 'uncovered' },
+    { label: 'Turns', of: (x) => x.turns, write: count },
+    { label: 'Stops', of: (x) => x.stops, write: count },
+  ];
+  const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.label === 'Time' || row.label === 'Fuel' ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
   return (
-    <section aria-label="The plan in numbers">
+    <section id="numbers" tabIndex={-1} aria-label="The plan in numbers">
       <Figures label="The plan in numbers"
         list={[
-          costFigure(cost(s), before ? cost(before) : null),
-          figure('Overlap', 'overlap_m2', squareMetres, 'overlap'),
-          figure('Uncovered', 'uncovered_m2', squareMetres, 'uncovered'),
-          figure('Turns', 'turns', count),
-          figure('Stops', 'stops', count),
-          { label: 'Tracks', value: count(s.tracks), change: length(s.track_length_m) },
+          ...costs.map((row) => figure(row, s, alike(row, before))),
+          ...land.map((row) => figure(row, s, before)),
+          { label: 'Tracks', value: count(s.tracks), note: length(s.track_length_m) },
+          ...(s.whole_cost ? [{ label: 'Headland', value: plural(s.headland_passes, 'pass', 'passes'), note: length(s.headland_length_m) }] : []),
         ]} />
       <p class="hint">
-        {`${hectares(s.body_m2)} to cover${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? `, tracks towards ${s.direction_deg.map(degrees).join(' and ')}` : ''}.`}
+        {`${hectares(s.area_m2)} to work${s.headland_m2 > 0 ? `: ${hectares(s.headland_m2)} headland, ${hectares(s.body_m2)} behind it` : ''}${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? `, tracks towards ${s.direction_deg.map(degrees).join(' and ')}` : ''}.`}
+        {s.outside_m2 >= 0.5 && ` Of the overlap ${squareMetres(s.outside_m2)} lie outside the field.`}
         {typeof s.gap === 'number' && s.gap < TELLING && ` No plan can be cheaper by more than ${percent(s.gap)}.`}
       </p>
+      {s.whole_cost && <CostParts cost={s.whole_cost} />}
+      <OneDirection plan={plan} />
       <Remarks plan={plan} />
     </section>
   );

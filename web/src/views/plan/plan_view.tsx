@@ -1,5 +1,7 @@
-import { attempt } from '../../actions/notices';
+import { attempt, complain } from '../../actions/notices';
 import { cancelPlan, makePlan } from '../../actions/planning';
+import type { PlanFull } from '../../api/types';
+import { hours, money, plural, squareMetres } from '../../format';
 import { Progress } from '../../parts/progress';
 import { Switch } from '../../parts/switch';
 import { fields } from '../../state/fields';
@@ -11,12 +13,34 @@ import { CheckPlan } from './check_plan';
 import { CostsForm } from './costs_form';
 import { EndsForm } from './ends_form';
 import { MachineForm } from './machine_form';
+import { PlanBar } from './plan_bar';
 import { PlanFigures } from './plan_figures';
 import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
+import { PlanList } from './plan_list';
+import { RepairCosts } from './repair_costs';
 import { RouteFigures } from './route_figures';
 import { RouteForm } from './route_form';
 import { TracksForm } from './tracks_form';
+
+/** What is read out when a plan is there. */
+const spoken = ({ summary: s }: PlanFull) =>
+  s.whole_cost
+    ? `The plan is made: ${money(s.whole_cost.euros)}, ${hours(s.whole_cost.hours)}, ${squareMetres(s.uncovered_m2)} uncovered.`
+    : `The plan is made: ${plural(s.tracks, 'track')}, ${squareMetres(s.overlap_m2)} overlap, ${squareMetres(s.uncovered_m2)} uncovered.`;
+
+/** A number that cannot be is looked at first; afterwards the figures have the focus. */
+function submit(settings: HTMLFormElement): void {
+  const wrong = settings.querySelector<HTMLInputElement>('[aria-invalid=true]');
+  if (wrong) {
+    wrong.closest('details')?.setAttribute('open', '');
+    wrong.focus();
+    return complain(`${wrong.labels?.[0]?.textContent ?? 'A number'} cannot be so. Correct it, then plan again.`);
+  }
+  void attempt(() => makePlan()).then((made) => {
+    if (made && (document.activeElement === null || document.activeElement === document.body || settings.contains(document.activeElement))) document.getElementById('numbers')?.focus();
+  });
+}
 
 export function PlanView() {
   const field = useStore(fields, (value) => value.open);
@@ -26,10 +50,14 @@ export function PlanView() {
   if (!field) return <NoField />;
   return (
     <>
+      <p class="unseen" role="status">{open && !job ? spoken(open) : ''}</p>
       {open && <PlanHead plan={open} />}
       {open && <PlanFigures plan={open} />}
-      {open?.summary.route && <RouteFigures route={open.summary.route} />}
-      <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
+      {open?.explain?.repair && <RepairCosts repair={open.explain.repair} />}
+      {open && <PlanBar plan={open} />}
+      {open?.summary.route && <RouteFigures plan={open} route={open.summary.route} />}
+      <PlanList />
+      <form onSubmit={(event) => { event.preventDefault(); submit(event.currentTarget); }}>
         <MachineForm />
         <CostsForm />
         <EndsForm />

@@ -1,11 +1,12 @@
 // The route in numbers, kind by kind, in the colours of the map.
-import type { LegKind, Route } from '../../api/types';
+import type { LegKind, PlanFull, Route } from '../../api/types';
 import { clock, count, length, percent, plural } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
 import { MarkOf, type Mark } from '../../parts/mark';
 import { sumsByKind } from '../../state/route_sums';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
+import { RoutePlayer } from './route_player';
 
 const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; form: Mark['form'] }> = {
   work: { title: 'Tracks', colour: 'Track', form: 'line' },
@@ -15,7 +16,7 @@ const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; fo
   back_out: { title: 'Backing out', colour: 'BackOut', form: 'dashed' },
 };
 
-export function RouteFigures({ route }: { route: Route }) {
+export function RouteFigures({ plan, route }: { plan: PlanFull; route: Route }) {
   useStore(session, (value) => value.theme);
   const colours = isNight() ? NIGHT : DAY;
   const sums = sumsByKind(route.legs);
@@ -50,6 +51,7 @@ export function RouteFigures({ route }: { route: Route }) {
         {route.reverse_m > 0 && `, and ${length(route.reverse_m)} are driven in reverse`}.
         {` No route over these tracks and passes can be quicker by more than ${percent(Math.max(0, route.gap))}.`}
       </p>
+      <RoutePlayer plan={plan} />
       {route.without_room > 0 && (
         <p class="notice error">{`${plural(route.without_room, 'leg has', 'legs have')} no room on the land: red on the map.`}</p>
       )}

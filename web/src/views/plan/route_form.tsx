@@ -14,15 +14,16 @@ const ORDERS = [
 ];
 
 export function RouteForm() {
-  const { route, order, headland_time, headlands, start, end } = useStore(form, (value) => value);
+  const { by, route, order, headland_time, headlands, start, end } = useStore(form, (value) => value);
+  const whole = by === 'whole';
   return (
     <section aria-labelledby="route-form-title">
       <h2 id="route-form-title">Route</h2>
-      <Switch on={route} label="Plan every metre, from the first to the last" change={(on) => form.set({ route: on })} />
-      {route && (
+      {!whole && <Switch on={route} label="Plan every metre, from the first to the last" change={(on) => form.set({ route: on })} />}
+      {(whole || route) && (
         <>
           <Select label="Tracks are driven" value={order} options={ORDERS} change={(value) => form.set({ order: value })} />
-          {headlands > 0 && (
+          {(headlands === 'auto' || headlands > 0) && (
             <Choice label="Headland passes come" value={headland_time} change={(value) => form.set({ headland_time: value })}
               options={[{ value: 'last', label: 'Last' }, { value: 'first', label: 'First' }]} />
           )}

@@ -8,10 +8,12 @@ import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
+import { Switch } from '../../parts/switch';
 import { fields } from '../../state/fields';
 import { form } from '../../state/plan_form';
 import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
+import { CabFigures } from './cab_figures';
 import { WorkNumbers } from './replay_bar';
 import { WorkForm } from './work_form';
 
@@ -82,7 +84,9 @@ export function LiveFeed() {
       <p class={state.connected ? 'fine' : 'fault'} role="status">
         {state.message ?? (state.figures ? (state.working ? 'At work.' : 'Connected, not working.') : 'Waiting for the first fix …')}
       </p>
-      {state.figures && <WorkNumbers figures={state.figures} />}
+      <CabFigures />
+      {state.figures && <WorkNumbers figures={state.figures} rest="Still to do" />}
+      <Switch on={state.follows} label="Keep the machine in the middle of the map" change={(follows) => replay.set({ follows })} />
       <div class="row">
         <Button onClick={() => void attempt(toggle)}>{work ? 'Mark as not working' : 'Mark as working again'}</Button>
         <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>Stop and store the drive</Button>

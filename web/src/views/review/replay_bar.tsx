@@ -43,12 +43,13 @@ export const meshFigures = (meshes: Meshes | undefined) =>
     ...(meshes.missed ? [{ label: `Meshes of ${meshes.side_m} m, missed`, value: count(meshes.missed.now), change: `at most ${count(meshes.missed.most)}` }] : []),
   ];
 
-export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
+/** What is not worked is missed when a drive is over; before, it is still to do. */
+export const WorkNumbers = ({ figures: f, rest = 'Missed' }: { figures: WorkFigures; rest?: 'Missed' | 'Still to do' }) => (
   <Figures label="Worked so far"
     list={[
       { label: 'Covered', value: hectares(f.covered_inside_m2 ?? f.covered_m2), tone: 'covered' },
       { label: 'Repeated', value: squareMetres(f.repeated_m2), tone: 'overlap' },
-      { label: 'Missed', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
+      { label: rest, value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
       { label: 'Rate', value: rate(f.ha_per_hour) },
       { label: 'At work, h', value: clock(f.worked_s) },
       { label: 'To go, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },

@@ -34,7 +34,7 @@ export function ReviewView() {
       {drive && <OpenDrive drive={drive} />}
       <section aria-label="Bring a log">
         <DropZone label="Choose the log of a machine" hint="or drop it here: CSV, NMEA, GPX, ISOXML (zipped)" busy={busy}
-          take={(file) => void attempt(() => takeLogFile(file))} />
+          take={(files) => void attempt(() => takeLogFile(files))} />
         <StartFeed />
       </section>
       <DriveList />

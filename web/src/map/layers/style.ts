@@ -1,11 +1,14 @@
 // The map without anything on it, and which source and layer comes above which.
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
-import { NIGHT, type Colours } from './palette';
+import { NIGHT, type Colours } from '../palette';
 import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
+import { choosingLayers } from '../show_choosing';
+import { routePlayLayers } from '../show_route_play';
+import { farmLayers } from '../show_farm';
 import { drawingLayers } from './drawing_layers';
-import { gridLayers } from './grid';
+import { gridLayers } from '../grid';
 
 const empty = { type: 'FeatureCollection' as const, features: [] };
 
@@ -13,9 +16,9 @@ const empty = { type: 'FeatureCollection' as const, features: [] };
 export const SOURCES = [
   'grid', 'field',
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
-  'plan:uncovered', 'plan:overlap', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
+  'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges',
+  'work:line', 'work:machine', 'drawing', 'edges', 'farm', 'choosing', 'chosen', 'route-driven', 'route-machine',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 
@@ -36,11 +39,14 @@ function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[
     { id: 'backdrop', type: 'background', paint: { 'background-color': c.Backdrop } },
     ...(tiles ? [{ id: 'tiles', type: 'raster' as const, source: 'tiles', layout: { visibility: 'none' as const }, paint: { 'raster-brightness-max': night ? 0.55 : 1, 'raster-fade-duration': 0 } }] : []),
     ...gridLayers(c),
+    ...farmLayers(c),
     ...field.below,
     ...plan.areas,
     ...workLayers(c),
     ...field.above,
     ...plan.lines,
+    ...routePlayLayers(c),
+    ...choosingLayers(c),
     ...drawingLayers(c),
   ];
 }

@@ -1,6 +1,6 @@
 // What was worked: of a drive that is over, and of one that goes on.
 import type { LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 /** As in the library's pictures: so many gaps bear a number from afar. */
 const GAPS_NUMBERED = 12;

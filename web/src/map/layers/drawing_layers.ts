@@ -1,6 +1,6 @@
 // What is being drawn, and the edges that may be picked.
 import type { LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 export const drawingLayers = (c: Colours): LayerSpecification[] => [
   {
@@ -30,6 +30,9 @@ export const drawingLayers = (c: Colours): LayerSpecification[] => [
   },
   {
     id: 'drawing-point', type: 'circle', source: 'drawing', filter: ['==', ['geometry-type'], 'Point'],
-    paint: { 'circle-radius': 6, 'circle-color': c.Background, 'circle-stroke-color': c.Reference, 'circle-stroke-width': 3 },
+    paint: {
+      'circle-radius': ['case', ['get', 'between'], 4, 7], 'circle-color': ['case', ['get', 'chosen'], c.Reference, c.Background],
+      'circle-stroke-color': c.Reference, 'circle-stroke-width': ['case', ['get', 'between'], 1.5, 3],
+    },
   },
 ];

@@ -1,6 +1,6 @@
 // Every layer of a plan, as the library's pictures draw it.
 import type { ExpressionSpecification, LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 /** One of eight tints, in turn. */
 const tint = (c: Colours): ExpressionSpecification =>
@@ -61,6 +61,10 @@ export function planLayers(c: Colours): { areas: LayerSpecification[]; lines: La
       // A rim keeps narrow pieces in sight when the whole field is.
       fill('uncovered', { 'fill-color': c.Uncovered, 'fill-outline-color': c.Uncovered }),
       fill('overlap', { 'fill-color': c.Overlap, 'fill-outline-color': c.Overlap }),
+      {
+        id: 'plan:outside', type: 'line', source: 'plan:outside',
+        paint: { 'line-color': c.NoRoom, 'line-width': 1.5, 'line-dasharray': [2, 1.5] },
+      },
       {
         id: 'plan:subfields-edge', type: 'line', source: 'plan:subfields',
         paint: { 'line-color': c.SubfieldEdge, 'line-width': 1, 'line-dasharray': [4, 3] },
@@ -123,5 +127,6 @@ export const PARTS_OF: Record<string, string[]> = {
   headland_unworked: ['plan:headland_unworked'],
   uncovered: ['plan:uncovered'],
   overlap: ['plan:overlap'],
+  outside: ['plan:outside'],
   dropped: ['plan:dropped'],
 };

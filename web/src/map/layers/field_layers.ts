@@ -1,6 +1,6 @@
 // The field and its obstacles. At a review its land has the colour of what is missed.
 import type { LayerSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import type { Colours } from '../palette';
 
 const kind = (name: string) => ['==', ['get', 'kind'], name] as never;
 

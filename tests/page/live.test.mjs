@@ -1,0 +1,71 @@
+// A machine at work: what the cab shows, and what becomes of it when the server is started again.
+import assert from 'node:assert/strict';
+import { flow } from './support/flow.mjs';
+import { chooseFile, goTo, makePlan, openField, panel, planTracks, visible } from './support/page.mjs';
+import { example } from './support/server.mjs';
+import { ask } from './support/stored.mjs';
+import { startTractor } from './support/tractor.mjs';
+
+async function watch(page, tractor) {
+  await goTo(page, 'Review');
+  await page.getByText('Watch a machine at work').click();
+  await page.getByLabel('Host and port').fill(`127.0.0.1:${tractor.port}`);
+  await page.getByRole('button', { name: 'Watch it' }).click();
+  await page.getByLabel('Worked so far').waitFor({ timeout: 30_000 });
+}
+
+flow('the cab shows speed, work and the way to the line; land still to do is not missed', {}, async ({ page }) => {
+  const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 40, most: 1500 });
+  try {
+    await openField(page, example('riverside.geojson'));
+    await planTracks(page);
+    await makePlan(page);
+    await watch(page, tractor);
+    const cab = page.getByLabel('In the cab');
+    await page.waitForFunction(() => /Speed\s*[\d.]+ km\/h/.test(document.querySelector('.cab')?.innerText ?? ''));
+    const speed = Number(/([\d.]+) km\/h/.exec(await cab.innerText())[1]);
+    assert.ok(speed > 1 && speed < 40, `${speed} km/h`);
+    await page.waitForFunction(() => /Off (track \d+|the line)\s*[\d.]+ m/.test(document.querySelector('.cab')?.innerText ?? ''), null, { timeout: 40_000 });
+    const text = await panel(page).innerText();
+    assert.match(text, /Still to do/);
+    assert.doesNotMatch(text, /Missed/);
+    assert.equal(await visible(page, 'plan:tracks'), true, 'the lines to follow are on the map');
+    assert.equal(await visible(page, 'field-missed'), false);
+  } finally {
+    await tractor.stop();
+  }
+});
+
+flow('after a restart of the server the machine is watched again, and the work till then is a drive', { expected: [/ERR_/, /Failed to load/] }, async ({ page, server }) => {
+  const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 100, most: 3000 });
+  try {
+    await openField(page, example('riverside.geojson'));
+    await watch(page, tractor);
+    await page.waitForTimeout(1500);
+    await server.kill();
+    await page.getByText('The tramline server does not answer.').first().waitFor({ timeout: 15_000 });
+    await server.again();
+    await page.getByText('the machine is being watched again').waitFor({ timeout: 30_000 });
+    await page.getByLabel('Worked so far').waitFor({ timeout: 30_000 });
+    const [drive] = await ask(server, '/drives');
+    assert.ok(drive.covered_m2 > 0);
+    await page.getByRole('button', { name: 'Leave it running' }).click();
+    await page.getByRole('button', { name: new RegExp(drive.name.replace(/[/.]/g, '.')) }).first().waitFor();
+  } finally {
+    await tractor.stop();
+  }
+});
+
+flow('a plan for gaps says what the gaps cost and what it costs to work them', {}, async ({ page, server }) => {
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Review');
+  await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
+  await page.getByRole('button', { name: 'Show what was worked' }).click();
+  await page.getByRole('button', { name: 'Plan the gaps' }).click({ timeout: 60_000 });
+  await page.getByRole('heading', { name: 'What the repair costs' }).waitFor({ timeout: 60_000 });
+  const [plan] = (await ask(server, '/plans')).filter(({ kind }) => kind === 'repair');
+  const { repair } = (await ask(server, `/plans/${plan.id}`)).explain;
+  assert.ok(repair.cost_if_left > 0 && repair.missed_after_m2 < repair.missed_before_m2);
+  const told = await page.getByRole('region', { name: 'What the repair costs' }).innerText();
+  assert.ok(told.includes(`€${repair.cost_if_left.toLocaleString('en-GB', { minimumFractionDigits: 2, maximumFractionDigits: 2 })}`), told);
+});

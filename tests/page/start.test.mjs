@@ -1,0 +1,34 @@
+// An empty store: the example farm, the tour, and the way to a terminal's file as a new user goes it.
+import assert from 'node:assert/strict';
+import { flow } from './support/flow.mjs';
+import { panel } from './support/page.mjs';
+import { ask } from './support/stored.mjs';
+
+flow('from an empty store to a file for a terminal in six clicks at most', {}, async ({ page, server }) => {
+  let clicks = 0;
+  const click = async (target) => {
+    clicks++;
+    await target.click();
+  };
+  await click(page.getByRole('button', { name: 'Open the example farm' }));
+  await page.getByRole('region', { name: 'Open field: Riverside' }).waitFor();
+  assert.equal((await ask(server, '/fields')).length, 2);
+  await click(page.getByRole('button', { name: /^Roadside/ }));
+  await page.getByRole('region', { name: 'Open field: Roadside' }).waitFor();
+  await click(page.getByRole('button', { name: 'Plan this field' }));
+  await click(page.getByRole('button', { name: 'Make the plan' }));
+  await page.locator('#numbers').waitFor({ timeout: 60_000 });
+  const [file] = await Promise.all([page.waitForEvent('download'), click(page.getByRole('link', { name: /Shapefiles/ }))]);
+  assert.match(file.suggestedFilename(), /\.zip$/);
+  assert.ok(clicks <= 6, `${clicks} clicks`);
+});
+
+flow('the tour goes through the views', {}, async ({ page }) => {
+  await page.getByRole('button', { name: 'Take the short tour' }).click();
+  for (const view of ['Fields', 'Plan', 'Compare', 'Review']) {
+    assert.equal(await page.getByRole('navigation').locator('[aria-current=page]').innerText(), view);
+    assert.match(await panel(page).innerText(), /[1-4] of 4\. /);
+    await page.getByRole('region', { name: 'Tour' }).getByRole('button', { name: /^(Next|Done)$/ }).click();
+  }
+  assert.equal(await page.getByRole('region', { name: 'Tour' }).count(), 0);
+});

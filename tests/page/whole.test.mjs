@@ -1,0 +1,179 @@
+// The whole job: what is planned where nobody chooses, in hours, litres and euros.
+import assert from 'node:assert/strict';
+import { flow } from './support/flow.mjs';
+import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
+import { ask, openId, smallField } from './support/stored.mjs';
+
+
+const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b} ± ${by}`);
+
+flow('without a choice the whole job is planned, and its figures are those of the server', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const { summary, asked } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  assert.equal(asked.objective, undefined, 'no prices of tracks were asked for');
+  assert.ok(summary.route.legs.length > 0, 'it has a route');
+  assert.ok(summary.headland_passes > 0, 'turns have their headland');
+  near(await figure(page, 'Whole cost'), summary.whole_cost.euros, 0.006);
+  near(await figure(page, 'Time'), summary.route.time_s / 3600, 0.006);
+  near(await figure(page, 'Fuel'), summary.whole_cost.litres, 0.06);
+  const parts = ['hours', 'fuel', 'overlap', 'missed', 'stops', 'driven_over'].reduce((sum, part) => sum + summary.whole_cost[`euros_${part}`], 0);
+  near(parts, summary.whole_cost.euros, 1e-6);
+  assert.equal(await drawn(page, 'plan:route-ends'), 2, 'where it starts and ends');
+  assert.ok((await drawn(page, 'plan:route-forward')) > 0, 'ways with the work off');
+
+  // Twice the price per hour, and nothing else: the hours cost twice as much.
+  const hash = new URL(page.url()).hash;
+  await page.getByLabel('Machine and driver', { exact: true }).fill('180');
+  await newPlan(page, hash);
+  const dearer = (await ask(server, `/plans/${openId(page, 'plan')}`)).summary.whole_cost;
+  assert.equal(dearer.rates.price_per_hour, 180);
+  near(dearer.euros_hours, 180 * dearer.hours, 0.01);
+  assert.equal(await page.locator('.figures > div', { hasText: 'Whole cost' }).locator('.change').count(), 0, 'money by other rates is not compared');
+});
+
+flow('tracks by prices or sliders are planned alone', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+  await makePlan(page);
+  const { summary, asked } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  assert.equal(summary.route, undefined);
+  assert.equal(asked.objective.prices.turn, 1);
+  near(await figure(page, 'Cost'), summary.cost, 0.006);
+});
+
+flow('a field opens with its last plan, and the form is as it was made', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+  await makePlan(page);
+  await page.getByText('1 plan of this field').waitFor();
+  const first = openId(page, 'plan');
+  let hash = new URL(page.url()).hash;
+  await page.getByLabel('Working width', { exact: true }).fill('12');
+  await newPlan(page, hash);
+  const edge = page.getByLabel('Parallel to');
+  hash = new URL(page.url()).hash;
+  await edge.selectOption({ label: await edge.locator('option', { hasText: /^edge 2:/ }).innerText() });
+  await newPlan(page, hash);
+  await page.getByRole('button', { name: 'Keep it' }).click();
+  await page.getByText('A draft:').waitFor({ state: 'detached' });
+  const second = openId(page, 'plan');
+  const made = (await ask(server, `/plans/${second}`)).asked;
+
+  await page.getByText('2 plans of this field').click();
+  const rows = page.getByRole('region', { name: 'Plans of this field' }).locator('.card');
+  assert.equal(await rows.count(), 2);
+  assert.match(await rows.nth(0).innerText(), /12 m wide/);
+  await rows.nth(1).click();
+  await page.waitForFunction((id) => location.hash.includes(`plan=${id}`), first);
+  assert.equal(await page.getByLabel('Working width', { exact: true }).inputValue(), '6', 'the form is that of the plan on the map');
+  await page.waitForTimeout(800);
+  assert.equal((await ask(server, `/plans?field=${openId(page, 'field')}`)).length, 2, 'looking at a plan makes none');
+
+  // In another window, with nothing in the address and nothing remembered.
+  const other = await page.context().browser().newContext();
+  const fresh = await other.newPage();
+  await fresh.goto(server.address);
+  await fresh.locator('#stored-fields .card').first().click();
+  await fresh.waitForFunction((id) => location.hash.includes(`plan=${id}`), second);
+  await goTo(fresh, 'Plan');
+  assert.equal(await fresh.getByLabel('Working width', { exact: true }).inputValue(), '12');
+  // The line that was chosen is still the one that the next plan follows.
+  hash = new URL(fresh.url()).hash;
+  await fresh.getByLabel('Turning radius', { exact: true }).fill('5');
+  await newPlan(fresh, hash);
+  assert.deepEqual((await ask(server, `/plans/${openId(fresh, 'plan')}`)).asked.settings.line, made.settings.line);
+  await other.close();
+});
+
+flow('a plan that is finished after a reload appears by itself', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await page.getByRole('button', { name: 'Make the plan' }).click();
+  await page.getByRole('button', { name: 'Cancel' }).waitFor();
+  await page.reload();
+  await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).get('plan') !== null, null, { timeout: 60_000 });
+  assert.ok((await figure(page, 'Whole cost')) > 0);
+});
+
+flow('a divided plan says what one direction would cost, and takes it by one click', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder, 'angle'));
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+  await page.getByLabel('Each further subfield').fill('0');
+  await makePlan(page);
+  const divided = await ask(server, `/plans/${openId(page, 'plan')}`);
+  assert.ok(divided.summary.subfields > 1);
+  const aside = page.getByRole('group', { name: 'One direction' });
+  const told = Number(/: €([\d.,]+),/.exec(await aside.innerText())[1].replace(',', ''));
+  const undivided = divided.explain.runner_ups.find((other) => other.subfields === 1);
+  near(told, undivided.cost, 0.006);
+  const hash = new URL(page.url()).hash;
+  await aside.getByRole('button', { name: 'Take one direction' }).click();
+  await newPlan(page, hash);
+  const taken = (await ask(server, `/plans/${openId(page, 'plan')}`)).summary;
+  assert.equal(taken.subfields, 1);
+  near(((taken.direction_deg[0] - undivided.direction_deg[0] + 270) % 180) - 90, 0, 0.3);
+});
+
+flow('land worked outside the field is said beside the overlap and drawn', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder, 'angle'));
+  await goTo(page, 'Plan');
+  await choose(page, 'Tracks, by prices');
+  await page.getByLabel('Swaths end at a slanting edge').selectOption('cover');
+  await makePlan(page);
+  const { summary } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  assert.ok(summary.outside_m2 > 1 && summary.outside_m2 <= summary.overlap_m2 + 0.01);
+  assert.match(await panel(page).innerText(), new RegExp(`${Math.round(summary.outside_m2).toLocaleString('en-GB')} m² outside`));
+  assert.ok((await drawn(page, 'plan:outside')) > 0);
+});
+
+flow('the route is driven on the map, and what it takes adds up to the plan', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const { summary } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  const player = page.getByRole('group', { name: 'Drive the route' });
+  const time = player.getByLabel('Time');
+  const seek = (s) => time.evaluate((input, to) => { input.value = String(to); input.dispatchEvent(new Event('input', { bubbles: true })); }, s);
+  await seek(summary.route.time_s);
+  near(await figure(page, 'Fuel so far'), summary.whole_cost.litres, 0.06);
+  near(await figure(page, 'Machine and fuel'), summary.whole_cost.euros_hours + summary.whole_cost.euros_fuel, 0.01);
+  await seek(summary.route.time_s / 2);
+  assert.ok((await figure(page, 'Fuel so far')) < summary.whole_cost.litres);
+  assert.equal(await drawn(page, 'route-machine'), 1);
+  await player.getByLabel('Speed').selectOption('600');
+  await player.getByRole('button', { name: 'Drive the route' }).click();
+  await page.waitForFunction(() => { const slider = document.querySelector('[aria-label="Drive the route"] input[type=range]'); return Number(slider.max) - Number(slider.value) < 0.01; });
+  await player.getByRole('button', { name: 'Drive the route' }).waitFor();
+  await player.getByRole('button', { name: 'Whole route' }).click();
+  assert.equal(await visible(page, 'route-machine'), false);
+});
+
+flow('figures come before layers, and layers are compressed and as fine as the screen', {}, async ({ page, server }) => {
+  const field = smallField(server.folder);
+  await openField(page, field);
+  await goTo(page, 'Plan');
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  const asked = [];
+  await page.route(/\/layers\/[^/]+$/, async (route) => {
+    asked.push(route.request().url());
+    await held;
+    await route.continue();
+  });
+  await makePlan(page);
+  assert.ok((await figure(page, 'Whole cost')) > 0, 'figures are there without any layer');
+  release();
+  assert.ok((await drawn(page, 'plan:tracks')) > 0);
+  assert.ok(asked.length > 3 && asked.every((url) => /detail_m=0\.\d+/.test(url)), asked[0]);
+  const layer = `${server.address}/api/v1/plans/${openId(page, 'plan')}/layers/route_legs`;
+  const sent = async (path, encoding) => (await fetch(path, { headers: { 'Accept-Encoding': encoding } })).headers;
+  assert.equal((await sent(layer, 'gzip')).get('content-encoding'), 'gzip');
+  assert.equal((await sent(layer, 'identity')).get('content-encoding'), null);
+  const vertices = async (path) => JSON.stringify(await (await fetch(path)).json()).length;
+  assert.ok((await vertices(`${layer}?detail_m=0.3`)) < (await vertices(layer)), 'coarser shapes have fewer vertices');
+});
