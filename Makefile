@@ -136,7 +136,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
   long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
-  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-batch long-batch-dask \
+  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-planted long-batch long-batch-dask \
   long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
@@ -255,6 +255,10 @@ long-batch-dask: packages-test build ## 100,000 fields on Dask, workers killed f
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost
 	$(LIMIT) tests/server/kills/serve_kills.py --tramline $(TRAMLINE) --kills 300
+
+long-planted: program ## changes planted into plan files, each into every plan; plans of random fields priced again
+	$(LIMIT) tests/cli/planted_changes_test.py --tramline $(TRAMLINE) --examples examples --every-plan
+	TRAMLINE_CASES=60 $(LIMIT) tests/cli/price_again_test.py --tramline $(TRAMLINE) --examples examples
 
 long-page: build packages-test ## the page in a browser: whole jobs, registers of 39,200 parcels, 300 fields, live work, axe-core
 	TRAMLINE=$(TRAMLINE) TRAMLINE_LONG=1 node --test --test-concurrency=1 $(foreach part,whole compare register farm live axe,tests/page/$(part).test.mjs)

@@ -2,7 +2,9 @@
 """Plants one change after another into a plan file: `tramline check` has to find it, or to say that it does not
 verify the figure. The table is the list of what the verifier believes: a new column or key gets a row.
 
-usage: planted_changes_test.py --tramline PROGRAM --examples FOLDER
+usage: planted_changes_test.py --tramline PROGRAM --examples FOLDER [--every-plan]
+
+Each change is planted into the first plan that it changes; with --every-plan into all of them.
 """
 import argparse
 import json
@@ -213,6 +215,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--tramline", required=True)
     parser.add_argument("--examples", required=True, type=pathlib.Path)
+    parser.add_argument("--every-plan", action="store_true")
     options = parser.parse_args()
     faults = []
     with tempfile.TemporaryDirectory() as name:
@@ -224,6 +227,8 @@ def main():
         for what, sql, expected in CHANGES:
             copies = 0
             for plan in originals:
+                if copies > 0 and not options.every_plan:
+                    break
                 copy = planted(plan, sql, folder)
                 if copy is None:
                     continue

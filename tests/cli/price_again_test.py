@@ -90,7 +90,7 @@ class PricedAgain(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             field = pathlib.Path(folder, "field.geojson")
             for seed in (int(os.environ.get("TRAMLINE_SEED", 1)) + i
-                         for i in range(int(os.environ.get("TRAMLINE_CASES", 12)))):
+                         for i in range(int(os.environ.get("TRAMLINE_CASES", 4)))):
                 draw = random.Random(seed)
                 smooth = draw.random() < 0.5
                 field.write_text(json.dumps(random_field(draw, smooth)))
