@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "report/report_parts.h"
-#include "report/route_report.h"
-#include "report/turning_report.h"
+#include "report/turning/route_report.h"
+#include "report/turning/turning_report.h"
 #include "tramline/model/plain_zero.h"
 #include "tramline/planner/warnings.h"
 

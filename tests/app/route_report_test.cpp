@@ -1,4 +1,4 @@
-#include "report/route_report.h"
+#include "report/turning/route_report.h"
 
 #include <gtest/gtest.h>
 

@@ -22,6 +22,7 @@ constexpr std::size_t kMostPublicHeaders = 70;
 /// Folders with more, each with the reason.
 const std::map<std::string, std::string> kLargeFolders = {
     {"docs", "a page for each subject, to which the README of the project leads"},
+    {"docs/adr", "one page for each decision, numbered in the order in which they were made"},
     {"tests/render", "one file for each part of a picture and each kind of it"},
     {"tests/properties", "one file for each property"},
     {"tests/real", "one file for each promise that is held against real data"},

@@ -23,8 +23,11 @@ flow('the frame stands still, and the figures stay in sight beside the settings'
   assert.deepEqual(await page.evaluate(() => [scrollY, document.documentElement.scrollTop, document.body.scrollTop]), [0, 0, 0]);
   const bar = page.locator('.plan-bar');
   await bar.waitFor();
-  const box = await bar.boundingBox();
-  assert.ok(box.y >= 60 && box.y < 200, `the figures are at the top of the panel: ${box.y}`);
+  // Layers arrive after the figures, and what is below moves once more.
+  await page.waitForFunction(() => {
+    const { y } = document.querySelector('.plan-bar').getBoundingClientRect();
+    return y >= 60 && y < 200;
+  });
   assert.match(await bar.innerText(), /€.*m² twice.*m² missed/s);
 });
 

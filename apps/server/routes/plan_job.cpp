@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "report/explain_report.h"
-#include "report/route_report.h"
+#include "report/turning/route_report.h"
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"

@@ -1,6 +1,6 @@
 // How a machine turns from a track to its neighbours.
 
-#include "report/turns_report.h"
+#include "report/turning/turns_report.h"
 #include "request/turns_request.h"
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"

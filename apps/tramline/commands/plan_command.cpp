@@ -21,7 +21,7 @@
 #include "report/map_table_report.h"
 #include "report/plan_report.h"
 #include "report/plan_summary.h"
-#include "report/route_report.h"
+#include "report/turning/route_report.h"
 #include "request/asked_plans.h"
 #include "request/field_key.h"
 #include "request/output_names.h"

@@ -14,7 +14,7 @@
 #include "options/plan_options.h"
 #include "output/output_target.h"
 #include "output/result_output.h"
-#include "report/turns_report.h"
+#include "report/turning/turns_report.h"
 #include "request/turns_request.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/render/turns/draw_turns.h"

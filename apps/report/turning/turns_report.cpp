@@ -1,4 +1,4 @@
-#include "report/turns_report.h"
+#include "report/turning/turns_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/turning_report.h"
+#include "report/turning/turning_report.h"
 
 #include <fmt/format.h>
 
