@@ -174,7 +174,14 @@ flow('a real field: plan, end rule, compare, export, check', { skip: real.skip }
   const { page } = context;
   await page.getByLabel('Choose a file with a field').setInputFiles(real.file);
   await page.getByRole('heading', { name: /Which field/ }).waitFor();
-  await page.locator('.cards .card:not([disabled])', { hasText: 'obstacle' }).first().click();
+  // Only the rows in sight exist.
+  const list = page.getByRole('region', { name: 'Fields of the file' });
+  const withObstacle = list.locator('.card:not([disabled])', { hasText: 'obstacle' });
+  for (let i = 0; i < 200 && (await withObstacle.count()) === 0; ++i) {
+    await list.evaluate((rows) => rows.scrollBy(0, rows.clientHeight));
+    await page.waitForTimeout(50);
+  }
+  await withObstacle.first().click();
   await page.getByRole('region', { name: /^Open field/ }).waitFor();
   await planCompareExport(context, null);
 });
