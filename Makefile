@@ -35,8 +35,8 @@ demo: packages-program ## build the program alone, plan the example field and ch
 	@if $(DEMO_ONLY); then echo "For its page (tramline serve) and everything else: make"; fi
 
 .PHONY: test
-test: packages-test layout build ## check the layout, build, and run every test; those on real data where TRAMLINE_DATA is found
-	$(CTEST) --test-dir $(RELEASE)
+test: packages-test layout build ## check the layout, build, and run the tests; those on real data where TRAMLINE_DATA is found
+	$(CTEST) --test-dir $(RELEASE) -LE slow
 
 .PHONY: page
 page: packages ## bundle the page into build/page, to look at what the program is built with
@@ -61,8 +61,12 @@ gallery: program ## plan 24 real fields and draw them on one contact sheet, outs
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline_gallery
 	tools/gallery.sh $(RELEASE)
 
+.PHONY: benches
+benches: build
+	cmake --build $(RELEASE) -j $(JOBS) --target benches
+
 .PHONY: bench
-bench: build ## measure; table on the terminal, figures into bench/results/
+bench: benches ## measure; table on the terminal, figures into bench/results/
 	tools/bench.py $(RELEASE)
 
 .PHONY: papers papers-real
@@ -136,7 +140,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
   long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
-  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-planted long-batch long-batch-dask \
+  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-slow long-planted long-batch long-batch-dask \
   long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
@@ -255,6 +259,9 @@ long-batch-dask: packages-test build ## 100,000 fields on Dask, workers killed f
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost
 	$(LIMIT) tests/server/kills/serve_kills.py --tramline $(TRAMLINE) --kills 300
+
+long-slow: packages-test benches ## the tests that take longest, which `make test` leaves out; the benchmarks are built too
+	$(LIMIT) $(CTEST) --test-dir $(RELEASE) -L slow
 
 long-planted: program ## changes planted into plan files, each into every plan; plans of random fields priced again
 	$(LIMIT) tests/cli/planted_changes_test.py --tramline $(TRAMLINE) --examples examples --every-plan
