@@ -160,6 +160,18 @@ TEST(Warnings, CountPiecesTooShortToTurnFor) {
   EXPECT_TRUE(reports(judged(plan, {kUnconnected, missed, counted(3)}), "warnings", "other figures"));
 }
 
+// No pass was driven where there was room for none: a user who asked for two has to be told.
+TEST(Warnings, NameThePassesAskedForThatHaveNoRoom) {
+  Plan plan = rectangle_plan();
+  plan.settings.headlands = 2;
+  const std::string lacking = "2 headland passes round the field were asked for, and there is room for 0";
+  EXPECT_TRUE(judged(plan, {kUnconnected, lacking}).empty());
+  EXPECT_TRUE(reports(judged(plan, {kUnconnected}), "warnings", "has no warning 'headland passes round"));
+  plan.settings.headland_rule = HeadlandRule::kTurns;
+  EXPECT_TRUE(judged(plan, {kUnconnected}).empty());
+  EXPECT_TRUE(reports(judged(plan, {kUnconnected, lacking}), "warnings", "without cause"));
+}
+
 TEST(Warnings, RepeatWhatWasSaidOfTheField) {
   Plan plan = rectangle_plan();
   plan.field.warnings = {"a hole was closed"};

@@ -124,13 +124,14 @@ Expected of_left_out_land(const Plan& plan) {
           {amount(left_out_m2)}};
 }
 
+/// Passes that follow from turns nobody has asked for.
 Expected of_passes_without_room(const Plan& plan) {
   int most = 0;
   for (const HeadlandPass& pass : plan.headland.passes)
     if (pass.around_field) most = std::max(most, pass.number);
   const int asked = plan.settings.headlands;
-  return {
-      "headland passes round the field were asked for", most < asked, false, {counted(asked), counted(most)}};
+  const bool lacking = plan.settings.headland_rule == HeadlandRule::kPasses && most < asked;
+  return {"headland passes round the field were asked for", lacking, false, {counted(asked), counted(most)}};
 }
 
 Expected of_passes_alone(const Plan& plan) {

@@ -193,17 +193,17 @@ class Comparison {
 
   bool improves_with(const PassesByBoundary& passes) {
     if (!layouts_.leave_other_land(passes)) return false;
-    bool cheaper = false, comes_near = true;
+    bool cheaper = false, best_comes_near = true;
     for (const std::size_t like : near_the_best()) {
       std::optional<LaidOut> laid =
           layouts_.laid_out(Alternative::kSearched, entries_[like].laid.trial.draft.plan, passes);
       if (!laid) continue;
       add(std::move(*laid));
       const std::size_t last = entries_.size() - 1;
-      comes_near = least_expected(entries_[last]) <= (1 + kComesNear) * least_price();
+      best_comes_near = least_expected(entries_[last]) <= (1 + kComesNear) * least_price();
       cheaper = improves(last) || cheaper;
     }
-    if (!cheaper && !comes_near) return false;
+    if (!cheaper && !best_comes_near) return false;
     for (LaidOut& laid : layouts_.searched(passes))
       if (!is_known(laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
     return cheaper;

@@ -53,10 +53,6 @@ std::vector<int> passes_asked(const PlanningProblem& problem) {
   return std::vector<int>(problem.field.outer.size(), settings.headlands);
 }
 
-}  // namespace
-
-namespace {
-
 bool same_land(const PreparedField& a, const PreparedField& b) {
   return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable;
 }

@@ -49,7 +49,7 @@ class RouteLayouts {
   /// tracks end; none where the passes are given.
   std::vector<LaidOut> behind_open_passes() const;
 
-  /// Whether these passes leave other land than all those asked for before: where there is no room for more,
+  /// Whether these passes leave other land than all others asked for before: where there is no room for more,
   /// more are the same.
   bool leave_other_land(const PassesByBoundary& passes);
 
@@ -82,6 +82,7 @@ class RouteLayouts {
   std::optional<LaidOut> laid_out_on(const Behind& behind, Alternative kind, const Plan& like) const;
   /// The passes that turns need where the tracks of a layout on the bare field end.
   PassesByBoundary where_tracks_end(const Plan& layout) const;
+  /// The layout behind passes where its tracks end; one without tracks gets them on the bare field first.
   std::optional<LaidOut> where_it_ends(Alternative kind, const Plan& layout) const;
   /// One layout along the longest side of the field and one along its length, without tracks, as far as none
   /// of the known ones is the same.
