@@ -40,6 +40,19 @@ testing::Prepared prepared(const Polygon& shape) {
   return {{field, machine, {}, {}}};
 }
 
+// A bound above the cost of the best curve changes nothing; three turns alone cost more than the other one.
+TEST(BestCurve, IsGivenUpWhereItIsCertainToCostMoreThanTheBound) {
+  const testing::Prepared quarter = prepared(bend(0, kChords));
+  const auto best = best_curved(quarter.task(), SearchContext(1));
+  ASSERT_TRUE(best);
+  const double cost = best->candidate.cost();
+  ASSERT_GT(cost, 3);
+  const auto bounded = best_curved(quarter.task(), SearchContext(1), 1.001 * cost);
+  ASSERT_TRUE(bounded);
+  EXPECT_EQ(bounded->candidate.cost(), cost);
+  EXPECT_FALSE(best_curved(quarter.task(), SearchContext(1), 0.5));
+}
+
 // Three parts of a bend 24 m wide become one again, driven in four tracks round it. Their three turns cost 3;
 // little is added, since a swath of 6 m between concentric arcs neither overlaps nor misses anything but the
 // slivers between the arcs and their chords.

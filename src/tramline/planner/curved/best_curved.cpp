@@ -117,7 +117,7 @@ std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve
 }
 
 /// The best curve for one part of the ground; nullopt where no track of any fits, or where, without obstacles
-/// to go round, all cost more than `no_more_than`.
+/// to go round, all are certain to cost more than `no_more_than`.
 std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
                                   const std::vector<Reference>& references, const SearchContext& context,
                                   double no_more_than) {

@@ -30,7 +30,7 @@ double price_of(const SearchTask& task, const Candidate& alone) {
 
 bool follows_curve(const PricedGround& one) { return !one.ground.subfield.reference.empty(); }
 
-/// Infinite cost where no curve has a track, or none that is known to cost as little as the price.
+/// Infinite cost where no curve has a track, or all are certain to cost more than the price.
 PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context,
                          double no_more_than = kNone) {
   const std::optional<Candidate> best =

@@ -9,8 +9,8 @@
 namespace tramline {
 
 /// The cheapest tracks along one curve in each part of the land (best_curved), or with Zhou's construction
-/// along the best line. nullopt where no edge is a curve that tracks could follow; and on land in one piece
-/// without obstacles, where all tracks of this class cost more than `no_more_than`, if they are not Zhou's.
+/// along the best line. nullopt where no edge is a curve that tracks could follow, or where all are soon
+/// certain to cost more than `no_more_than` (best_curved).
 std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context,
                                          double no_more_than = kAnyCost);
 

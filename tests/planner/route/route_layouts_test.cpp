@@ -1,0 +1,72 @@
+// The land behind passes, from which plans are laid out for the comparison of routes.
+
+#include "tramline/planner/whole/route_layouts.h"
+
+#include <gtest/gtest.h>
+
+namespace tramline {
+namespace {
+
+PlanningProblem strip_problem(HeadlandRule rule) {
+  Field field;
+  field.id = "strip";
+  field.outer = {{0, 0}, {40, 0}, {40, 200}, {0, 200}};
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 6;
+  PlanSettings settings;
+  settings.headland_rule = rule;
+  return planning_problem(field, machine, {}, settings);
+}
+
+std::vector<Plan> one_layout(const PlanningProblem& problem) {
+  Plan out;
+  out.machine = problem.machine;
+  out.subfields.push_back({{problem.field.outer, {}}, Direction::clockwise_from_north(Angle::degrees(0))});
+  return {out};
+}
+
+// Of 40 m three passes of 6 m take 36 and leave a strip that is no track's. There is no room for a fourth.
+TEST(RouteLayouts, KnowWhenMorePassesAreTheSame) {
+  const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
+  const std::vector<Plan> layouts = one_layout(problem);
+  RouteLayouts tried(problem, layouts, SearchContext(1));
+  for (const int passes : {1, 2, 3}) EXPECT_TRUE(tried.leave_other_land(tried.all_round(passes, {}))) << passes;
+  EXPECT_FALSE(tried.leave_other_land(tried.all_round(4, {})));
+}
+
+// One pass leaves 28 of 40 m to tracks, two leave 16.
+TEST(RouteLayouts, TellLandThatPassesWorkFromLandOfTracks) {
+  const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
+  const std::vector<Plan> layouts = one_layout(problem);
+  RouteLayouts tried(problem, layouts, SearchContext(1));
+  const auto behind = [&](int passes) {
+    return tried.laid_out(Alternative::kSearched, layouts.front(), tried.all_round(passes, {}));
+  };
+  const auto one = behind(1), two = behind(2);
+  ASSERT_TRUE(one && two);
+  EXPECT_FALSE(passes_work_most(one->trial.prepared));
+  EXPECT_TRUE(passes_work_most(two->trial.prepared));
+}
+
+// The tracks run along the strip and end at its short sides, where half a circle and half the width are 9 m: two
+// passes. Along the long sides only the turns of the outermost tracks may need one.
+TEST(RouteLayouts, PutOpenPassesWhereTracksEnd) {
+  const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
+  const std::vector<Plan> layouts = one_layout(problem);
+  const std::vector<LaidOut> open = RouteLayouts(problem, layouts, SearchContext(1)).behind_open_passes();
+  ASSERT_EQ(open.size(), 1U) << "along the longest side, along the length and the layout are one direction";
+  const std::vector<int>& edges = open.front().trial.passes.edges;
+  ASSERT_EQ(edges.size(), 4U);
+  for (const std::size_t side : {0U, 2U}) EXPECT_GE(edges[side], 2) << side;
+  for (const std::size_t side : {1U, 3U}) EXPECT_LE(edges[side], 1) << side;
+}
+
+TEST(RouteLayouts, PutNoOpenPassesWhereTheyAreGiven) {
+  const PlanningProblem problem = strip_problem(HeadlandRule::kPasses);
+  const std::vector<Plan> layouts = one_layout(problem);
+  EXPECT_TRUE(RouteLayouts(problem, layouts, SearchContext(1)).behind_open_passes().empty());
+}
+
+}  // namespace
+}  // namespace tramline
