@@ -42,13 +42,18 @@ std::vector<Point> shown_ring(const RawRing& ring, const Crs& crs) {
   return out;
 }
 
-/// About the area of a ring in longitude and latitude, or in metres, m².
+/// About the area of a ring, m²: whatever the unit of its CRS, by its places. 0 where it has none.
 double area_about_m2(const RawRing& ring, const Crs& crs) {
   if (ring.points.size() < 3) return 0;
-  const double sum = std::abs(signed_area(ring.points));
-  if (!crs.in_degrees()) return sum;
-  const double lat = ring.points.front().y * std::numbers::pi / 180;
-  return sum * kMetresPerDegree * kMetresPerDegree * std::cos(lat);
+  if (crs.plain()) return std::abs(signed_area(ring.points));
+  Ring places;
+  for (const Point p : ring.points) {
+    const std::optional<Point> lonlat = crs.to_lonlat(p);
+    if (!lonlat) return 0;
+    places.push_back(*lonlat);
+  }
+  const double lat = places.front().y * std::numbers::pi / 180;
+  return std::abs(signed_area(places)) * kMetresPerDegree * kMetresPerDegree * std::cos(lat);
 }
 
 ordered_json coordinates(const std::vector<Point>& ring) {

@@ -106,9 +106,11 @@ class ExportCommand : public Command {
   void require_route_format() const {
     const auto format = io::route_format_of(options_.output);
     const bool terminal = !options_.isoxml.empty() || options_.agopengps;
-    if (!options_.machine.empty() && (!format || terminal))
+    const bool is_mission = format == io::RouteFormat::kQgcPlan || format == io::RouteFormat::kQgcWaypoints ||
+                            format == io::RouteFormat::kDji;
+    if (!options_.machine.empty() && (!is_mission || terminal))
       throw bad_input(
-          "--machine is for routes; name a .plan, .waypoints or .kmz file with it, or leave it out");
+          "--machine is for missions; name a .plan, .waypoints or .kmz file with it, or leave it out");
     if ((format || is_line_card()) && !terminal && (!options_.crs.empty() || !options_.layers.empty()))
       throw bad_input("--crs and --layer are for layers, and this is another kind of file; leave them out");
   }

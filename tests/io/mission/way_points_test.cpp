@@ -68,6 +68,16 @@ TEST(MissionItems, WorkSpeedAndGearAreSwitchedWhereTheyChange) {
   EXPECT_EQ(commands_of(flown),
             (std::vector<int>{22, 178, 16, 183, 16, 183, 178, 16, 183, 178, 16, 183, 178, 16, 20}));
   EXPECT_EQ(flown.items[0].params[6], 5);
+  // Speeds of small_plan()'s machine: at work, turning, at work, and back out of the track.
+  const Turning& turning = plan.machine.turning;
+  std::vector<double> speeds, gears;
+  for (const MissionItem& item : mission_of(plan, std::nullopt, 0.02).items) {
+    if (item.command == 178) speeds.push_back(item.params[1].value());
+    if (item.command == 194) gears.push_back(item.params[0].value());
+  }
+  EXPECT_EQ(speeds, (std::vector<double>{turning.working_speed_mps, turning.turning_speed_mps,
+                                         turning.working_speed_mps, turning.reverse_speed_mps}));
+  EXPECT_EQ(gears, (std::vector<double>{1}));
   const auto servo = std::find_if(flown.items.begin(), flown.items.end(),
                                   [](const MissionItem& item) { return item.command == mavlink::kSetServo; });
   EXPECT_EQ(servo->params[0], 7);
@@ -99,6 +109,18 @@ TEST(Geofence, StandsWhereTheRouteDoesNotPass) {
   EXPECT_EQ(inside.stay_outside, (std::vector<Ring>{plan.field.obstacles[0].shape.outer}));
   ASSERT_EQ(inside.notes.size(), 1U);
   EXPECT_TRUE(testing_support::mentions(inside.notes[0], "obstacle 3"));
+}
+
+// The first track is one straight stretch at y = 1.5 m, with points at its ends only.
+TEST(Geofence, FallsWhereTheRoutePassesBetweenItsPoints) {
+  Plan plan = plan_with_route();
+  const std::vector<WayPoint> route = way_points(plan, 0.02);
+  plan.field.outer = {{-1, 0}, {60, 0}, {61, 2}, {62, 0}, {102, 0}, {102, 6}, {-1, 6}};
+  plan.field.obstacles = {{{{{50, 1}, {52, 1}, {52, 2}}, {}}, ObstacleKind::kObstacle, "hole 1"}};
+  const Geofence fence = geofence_of(plan, route);
+  EXPECT_TRUE(fence.stay_inside.empty());
+  EXPECT_TRUE(fence.stay_outside.empty());
+  EXPECT_EQ(fence.notes.size(), 2U);
 }
 
 }  // namespace

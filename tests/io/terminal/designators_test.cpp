@@ -45,5 +45,24 @@ TEST(Designators, NoTwoAreAlikeAndNoneIsTooLong) {
   EXPECT_EQ(names.unique(std::string(31, 'y') + " z", "Field 6"), std::string(31, 'y'));
 }
 
+// Most terminals and cards do not tell capital letters from small ones.
+TEST(Designators, ThatDifferInCapitalsOnlyAreAlike) {
+  Designators names;
+  EXPECT_EQ(names.unique("Mill", "Field 1"), "Mill");
+  EXPECT_EQ(names.unique("MILL", "Field 2"), "MILL 2");
+}
+
+TEST(Designators, OfFoldersAreThoseOfAnyFileSystem) {
+  Designators names;
+  EXPECT_EQ(names.unique_folder("f", "Field 1"), "f");
+  EXPECT_EQ(names.unique_folder("F", "Field 2"), "F 2");
+  EXPECT_EQ(names.unique_folder("a/b:c", "Field 3"), "a_b_c");
+  EXPECT_EQ(names.unique_folder(std::string(31, 'x') + ".y", "Field 4"), std::string(31, 'x'));
+  EXPECT_EQ(names.unique_folder("..", "Field 5"), "Field 5");
+  EXPECT_EQ(names.unique_folder("con", "Field 6"), "Field 6");
+  EXPECT_EQ(names.unique_folder("Lpt1.old", "Field 7"), "Field 7");
+  EXPECT_EQ(names.unique_folder("Lpt10", "Field 8"), "Lpt10");
+}
+
 }  // namespace
 }  // namespace tramline::io

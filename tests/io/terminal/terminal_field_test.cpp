@@ -10,6 +10,7 @@
 #include "io/export/export_fixture.h"
 #include "support/refusals.h"
 #include "support/small_plan.h"
+#include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/path/path.h"
 
 namespace tramline::io {
@@ -98,8 +99,8 @@ TEST(TerminalField, EachPartOfAnEvaluatedFieldIsAField) {
   EXPECT_TRUE(fields[0].obstacles.empty());
   EXPECT_EQ(fields[1].obstacles.size(), 1U);
   EXPECT_NEAR(fields[1].area_m2, 9600, 1e-9);
-  EXPECT_EQ(fields[0].gaps, (Region{coverage.gaps[1].shape}));
-  EXPECT_EQ(fields[1].gaps, (Region{coverage.gaps[0].shape}));
+  EXPECT_EQ(fields[0].gaps, (std::vector<NumberedGap>{{2, coverage.gaps[1].shape}}));
+  EXPECT_EQ(fields[1].gaps, (std::vector<NumberedGap>{{1, coverage.gaps[0].shape}}));
   coverage.field.clear();
   EXPECT_REFUSED(terminal_fields(coverage, 0.02, "coverage.gpkg"));
 }
@@ -108,7 +109,22 @@ TEST(TerminalField, OfARepairTheGapsAreTold) {
   Plan plan = testing_support::small_plan();
   EXPECT_TRUE(terminal_field(plan, LineChoice::kAll, 0.02, "").gaps.empty());
   plan.kind = PlanKind::kRepair;
-  EXPECT_EQ(terminal_field(plan, LineChoice::kAll, 0.02, "").gaps, plan.body);
+  EXPECT_EQ(terminal_field(plan, LineChoice::kAll, 0.02, "").gaps,
+            (std::vector<NumberedGap>{{1, plan.body.front()}}));
+}
+
+// Along the meridian of 13.02° is true north, a degree and more off the frame's by none but its convergence
+// of sin 52° · 0.02°.
+TEST(TerminalField, HeadingsAreFromTrueNorth) {
+  const LocalFrame frame{true, 13, 52, 0, 0};
+  const FrameProjection projection(frame);
+  const Point a{13.02, 52}, north{13.02, 52.01}, east{13.0345, 52};
+  const auto heading_to = [&](Point b) {
+    const TerminalLine line{"AB 1", true, {*projection.from_lonlat(a), *projection.from_lonlat(b)}};
+    return true_heading_deg(line, frame, a);
+  };
+  EXPECT_NEAR(std::remainder(heading_to(north), 360), 0, 1e-3);
+  EXPECT_NEAR(heading_to(east), 90, 0.01) << "parallels are no straight lines: half of sin 52° · 0.0145°";
 }
 
 TEST(TerminalField, PlainMetresHaveNoPlaceOnTheGlobe) {

@@ -31,7 +31,8 @@ TEST(RouteLayouts, KnowWhenMorePassesAreTheSame) {
   const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
   const std::vector<Plan> layouts = one_layout(problem);
   RouteLayouts tried(problem, layouts, SearchContext(1));
-  for (const int passes : {1, 2, 3}) EXPECT_TRUE(tried.leave_other_land(tried.all_round(passes, {}))) << passes;
+  for (const int passes : {1, 2, 3})
+    EXPECT_TRUE(tried.leave_other_land(tried.all_round(passes, {}))) << passes;
   EXPECT_FALSE(tried.leave_other_land(tried.all_round(4, {})));
 }
 
@@ -49,8 +50,8 @@ TEST(RouteLayouts, TellLandThatPassesWorkFromLandOfTracks) {
   EXPECT_TRUE(passes_work_most(two->trial.prepared));
 }
 
-// The tracks run along the strip and end at its short sides, where half a circle and half the width are 9 m: two
-// passes. Along the long sides only the turns of the outermost tracks may need one.
+// The tracks run along the strip and end at its short sides, where half a circle and half the width are 9 m:
+// two passes. Along the long sides only the turns of the outermost tracks may need one.
 TEST(RouteLayouts, PutOpenPassesWhereTracksEnd) {
   const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
   const std::vector<Plan> layouts = one_layout(problem);

@@ -19,6 +19,7 @@ let going = new Set<string>();
 async function planOne(field: FieldItem): Promise<void> {
   const job = await api.startJob({ kind: 'plan', ...requestOf({ ...form.get(), ...OF_THE_FIELD }, field.id), explain: true });
   going.add(job.id);
+  if (stopped) await api.cancelJob(job.id);
   try {
     await follow(job, () => {});
   } finally {
@@ -42,14 +43,18 @@ export async function planFields(list: FieldItem[]): Promise<void> {
         done++;
       } catch (error) {
         if (error instanceof Cancelled) return;
-        if (!(error instanceof ApiError) || error.away) throw error;
+        if (!(error instanceof ApiError) || error.away) {
+          stopped = true; // the other worker must not go on behind the error
+          throw error;
+        }
         failed.push(`${field.name}: ${error.message}`);
       }
       tell();
     }
   };
   try {
-    await Promise.all(Array.from({ length: AT_ONCE }, worker));
+    const ends = await Promise.allSettled(Array.from({ length: AT_ONCE }, worker));
+    for (const end of ends) if (end.status === 'rejected') throw end.reason;
   } finally {
     farm.set({ planning: null, ticked: new Set() });
     await loadFields();

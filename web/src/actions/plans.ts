@@ -69,15 +69,19 @@ export async function refineLayers(): Promise<void> {
 
 async function fetchLayer(id: string, name: string): Promise<void> {
   let shape: FeatureCollection;
+  const { detail_m } = plans.get();
   try {
-    shape = await api.planLayer(id, name, plans.get().detail_m);
+    shape = await api.planLayer(id, name, detail_m);
   } catch (error) {
     const open = plans.get().open;
     const replaced = open?.id !== id || open.draft;
     if (replaced && error instanceof ApiError && error.status === 404) return; // the next draft is on its way
     throw error;
   }
-  if (plans.get().open?.id === id) plans.set({ shapes: { ...plans.get().shapes, [name]: shape } });
+  if (plans.get().open?.id !== id) return;
+  // A finer one has been asked for meanwhile, and may have come first.
+  if (plans.get().detail_m < detail_m) return fetchLayer(id, name);
+  plans.set({ shapes: { ...plans.get().shapes, [name]: shape } });
 }
 
 export async function switchLayer(name: string, on: boolean): Promise<void> {

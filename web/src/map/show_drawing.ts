@@ -40,6 +40,8 @@ function gates(): Feature[] {
 
 /** A finger is wider than a corner. */
 const REACH_PX = 14;
+/** Of a drag, with whatever it began. */
+const ENDS = ['mouseup', 'touchend', 'touchcancel'] as const;
 
 export function followDrawing({ map, fill }: LiveMap): void {
   const sync = () => {
@@ -106,13 +108,15 @@ export function followDrawing({ map, fill }: LiveMap): void {
     const drop = () => {
       map.off('mousemove', drag);
       map.off('touchmove', drag);
+      for (const end of ENDS) map.off(end, drop);
+      removeEventListener('mouseup', drop);
       if (dragged && grip['between'] !== true) moved(before);
       setTimeout(() => (dragged = false)); // after the click, where one comes of it
     };
     map.on('mousemove', drag);
     map.on('touchmove', drag);
-    map.once('mouseup', drop);
-    map.once('touchend', drop);
+    for (const end of ENDS) map.on(end, drop);
+    addEventListener('mouseup', drop); // also beside the map
   };
   map.on('mousedown', 'drawing-point', grab);
   map.on('touchstart', 'drawing-point', grab);

@@ -67,8 +67,9 @@ void select_features(RawLayer& layer, const VectorQuery& query) {
   if (!query.where.empty()) {
     const auto wanted = equals_filter(query.where);
     if (!wanted || wanted->key != "id")
-      throw bad_input(fmt::format(
-          "--where \"{}\" is not understood for a task set; write for example id='PFD1'", query.where));
+      throw bad_input(fmt::format("--where \"{}\" is not understood for '{}'; write for example id='{}'",
+                                  query.where, query.file,
+                                  layer.features.empty() ? "PFD1" : layer.features.front().id));
     std::erase_if(layer.features, [&](const RawFeature& feature) { return feature.id != wanted->value; });
   }
   if (query.fid) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "tramline/io/vector/lower_case.h"
+
 namespace tramline::io {
 namespace {
 
@@ -88,6 +90,14 @@ std::string trimmed_text(std::string text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// Windows takes these for devices, whatever the extension.
+bool is_device(const std::string& folder) {
+  const std::string name = lower_case(folder.substr(0, folder.find('.')));
+  if (name == "con" || name == "prn" || name == "aux" || name == "nul") return true;
+  return name.size() == 4 && (name.starts_with("com") || name.starts_with("lpt")) && name[3] >= '1' &&
+         name[3] <= '9';
+}
+
 }  // namespace
 
 std::string in_ascii(std::string_view utf8) {
@@ -109,11 +119,11 @@ std::string Designators::unique(std::string_view utf8, const std::string& otherw
   std::string name = in_ascii(utf8);
   if (std::none_of(name.begin(), name.end(), is_letter_or_digit)) name = otherwise;
   std::string out = trimmed_text(name.substr(0, kLongestDesignator));
-  for (int number = 2; given_.contains(out); ++number) {
+  for (int number = 2; given_.contains(lower_case(out)); ++number) {
     const std::string suffix = fmt::format(" {}", number);
     out = trimmed_text(name.substr(0, kLongestDesignator - suffix.size())) + suffix;
   }
-  given_.insert(out);
+  given_.insert(lower_case(out));
   return out;
 }
 
@@ -121,8 +131,9 @@ std::string Designators::unique_folder(std::string_view utf8, const std::string&
   std::string name = in_ascii(utf8);
   for (char& c : name)
     if (std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos) c = '_';
-  while (name.ends_with('.')) name.pop_back();
-  return unique(name, otherwise);
+  name.resize(std::min(name.size(), kLongestDesignator));
+  while (name.ends_with('.') || name.ends_with(' ')) name.pop_back();
+  return unique(is_device(name) ? "" : name, otherwise);
 }
 
 }  // namespace tramline::io

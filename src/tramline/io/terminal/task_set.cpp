@@ -133,8 +133,8 @@ class SetWriter {
     for (std::size_t i = 0; i < field.headland.size(); ++i)
       add_polygon(partfield, polygon_type::kHeadland, fmt::format("Headland {}", i + 1), field.headland[i]);
     // Treatment zones (2) belong into tasks, not into partfields.
-    for (std::size_t i = 0; i < field.gaps.size(); ++i)
-      add_polygon(partfield, polygon_type::kOther, fmt::format("Gap {}", i + 1), field.gaps[i]);
+    for (const NumberedGap& gap : field.gaps)
+      add_polygon(partfield, polygon_type::kOther, fmt::format("Gap {}", gap.number), gap.shape);
   }
 
   void add_guidance(pugi::xml_node partfield, const TerminalField& field, const TerminalLine& line) {

@@ -157,7 +157,9 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
   if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
-  if (is_repair(plan)) out.gaps = thinned_region(plan.body, tolerance_m);
+  if (is_repair(plan))
+    for (Polygon& gap : thinned_region(plan.body, tolerance_m))
+      out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
   return out;
 }
 
@@ -178,7 +180,8 @@ std::vector<TerminalField> terminal_fields(const Coverage& coverage, double tole
     for (const Ring& hole : part.holes)
       field.obstacles.push_back({{reversed(hole), {}}, ObstacleKind::kObstacle, ""});
     for (const Gap& gap : coverage.gaps)
-      if (contains(part, gap.centre)) field.gaps.push_back(thinned_region({gap.shape}, tolerance_m).front());
+      if (contains(part, gap.centre))
+        field.gaps.push_back({gap.number, thinned_region({gap.shape}, tolerance_m).front()});
   }
   return out;
 }

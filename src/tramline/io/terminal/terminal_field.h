@@ -25,6 +25,14 @@ struct TerminalLine {
   bool straight() const { return points.size() == 2; }
 };
 
+/// Missed land, with the number that maps and other files give it.
+struct NumberedGap {
+  int number = 0;
+  Polygon shape;
+
+  friend bool operator==(const NumberedGap&, const NumberedGap&) = default;
+};
+
 /// Frame: the field's local metres, which is geodetic.
 struct TerminalField {
   std::string name;  ///< id of the field, UTF-8
@@ -36,7 +44,7 @@ struct TerminalField {
   Region headland;
   Region body;  ///< the land that tracks work; empty: there is no headland
   std::vector<TerminalLine> lines;
-  Region gaps;  ///< missed land, where a coverage is sent
+  std::vector<NumberedGap> gaps;  ///< of a coverage or a repair plan
 };
 
 /// The lines of a plan. Of a subfield with straight tracks it is the line of its longest track, prolonged to
