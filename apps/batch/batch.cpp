@@ -106,7 +106,15 @@ std::vector<long long> Batch::missing() const {
   return out;
 }
 
-RawDataset Batch::features_of(long long chunk) { return stream_.read(chunk * per_chunk(), fields_in(chunk)); }
+RawDataset Batch::features_of(long long chunk) {
+  const std::lock_guard alone(reading_);
+  RawDataset out = stream_.read(chunk * per_chunk(), fields_in(chunk));
+  const long long read = out.layers.empty() ? 0 : std::ssize(out.layers.front().features);
+  if (read != fields_in(chunk))
+    throw failure(fmt::format("'{}' has fewer features than when the batch began: has it been changed since?",
+                              request_.field.file));
+  return out;
+}
 
 ChunkCounts Batch::work_on(long long chunk) {
   return work_on_chunk(chunk_, features_of(chunk), folder_, chunk);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,9 @@ class Batch {
   std::vector<long long> missing() const;
   long long fields_in(long long chunk) const;
 
-  /// Reads and works on one chunk, on the threads of the calling arena. One call at a time.
+  /// Reads and works on one chunk, on the threads of the calling arena. Safe from several threads: reading
+  /// waits for its turn. Throws Error(kFailure) where the parcels have fewer features than when they were
+  /// opened.
   ChunkCounts work_on(long long chunk);
 
   /// Told of every chunk when it is finished, one call at a time.
@@ -50,6 +53,8 @@ class Batch {
  private:
   long long per_chunk() const { return static_cast<long long>(request_.fields_per_chunk); }
   RawDataset features_of(long long chunk);
+
+  std::mutex reading_;
 
   BatchRequest request_;
   ChunkRequest chunk_;

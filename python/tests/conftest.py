@@ -17,8 +17,6 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.load_profile("tramline")
 
-TRACKS = {"prices": (0.02, 0.1, 1)}
-
 
 @pytest.fixture(scope="session")
 def examples() -> pathlib.Path:

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import tramline.batch
@@ -38,6 +39,16 @@ def test_same_bytes_as_the_program(parcels, program, tmp_path):
     assert done.returncode == 3, done.stderr
     assert json.loads(done.stdout)["planned"] == 8
     assert files_in(tmp_path / "dask") == files_in(tmp_path / "program")
+
+
+def test_threads_of_one_worker_take_turns_in_reading(parcels, program, tmp_path):
+    program("batch", *words(parcels, tmp_path / "program"), code=3)
+    command = words(parcels, tmp_path / "threads")
+    begun = tramline.batch._core.Batch(command)
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda chunk: tramline.batch.work_on([*command, "--resume"], chunk), begun.missing()))
+    begun.finish()
+    assert files_in(tmp_path / "threads") == files_in(tmp_path / "program")
 
 
 def test_goes_on_with_what_the_program_began(parcels, program, tmp_path):

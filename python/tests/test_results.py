@@ -1,6 +1,7 @@
 """Results: many fields, layers, evaluations, files that cannot be written, threads and interrupts."""
 
 import signal
+import sqlite3
 import subprocess
 import sys
 import threading
@@ -36,6 +37,29 @@ def test_many_fields_of_a_file(examples):
     # The second is a field on both sides of a lane.
     assert found.error.isna().tolist() == [True, False, True, True] and "2 parts" in found.error[1]
     assert found.area_m2[0] == pytest.approx(43782.0, abs=0.05)
+
+
+def test_layers_are_those_of_the_file(tmp_path):
+    first = tramline.plan(FIELD, width=12, prices=PRICES)
+    first.save(tmp_path / "first.gpkg")
+    with sqlite3.connect(tmp_path / "first.gpkg") as file:
+        tables = {name for (name,) in file.execute("SELECT table_name FROM gpkg_geometry_columns")}
+    assert set(first.layers) == tables and {"field", "tracks", "swaths"} <= tables
+    plan = tramline.plan(sg.mapping(sg.box(12, 52, 12.003, 52.001)), crs="EPSG:4326", width=12, prices=PRICES)
+    features = plan.features("field")["features"]
+    assert sg.shape(features[0]["geometry"]).symmetric_difference(sg.box(12, 52, 12.003, 52.001)).area < 1e-12
+
+
+def test_a_choice_from_what_is_in_memory_is_refused():
+    frame = geopandas.GeoDataFrame(geometry=[sg.box(0, 0, 200, 100), sg.box(0, 0, 300, 100)], index=["north", "south"])
+    plan = tramline.plan(frame.loc[["south"]], width=10, prices=PRICES)
+    assert tramline.check(plan, field=frame.loc[["south"]]).ok
+    with pytest.raises(tramline.InputError, match="2 features"):
+        tramline.check(plan, field=frame)
+    with pytest.raises(tramline.InputError, match="in memory"):
+        tramline.plan(FIELD, width=12, where="fid = 1")
+    with pytest.raises(tramline.InputError, match="'where' was not expected"):
+        tramline.plan_fields(frame, width=12, where="fid = 1")
 
 
 def test_layers_with_and_without_geopandas(monkeypatch):
@@ -85,7 +109,9 @@ def test_comparison():
 
 def test_pictures():
     plan = tramline.plan(FIELD, width=12, prices=PRICES)
-    assert plan._repr_html_().lstrip().startswith("<?xml") and "9" in repr(plan)
+    assert plan._repr_html_().lstrip().startswith("<?xml")
+    # By the shoelace formula 29,600 m², less a hole of 100 m².
+    assert repr(plan).startswith("<Plan of field: 2.95 ha, ")
     assert "<svg" in tramline.evaluate(plan)._repr_html_()
 
 
@@ -100,17 +126,22 @@ def test_a_file_that_cannot_be_written(tmp_path):
 
 def test_other_threads_go_on_meanwhile():
     """A plan begun on one thread ends only once another has told it to: without the lock both would wait."""
-    begun, go_on = threading.Event(), threading.Event()
+    begun, enough = threading.Event(), threading.Event()
 
     def progress(done, total):
         begun.set()
-        return go_on.is_set() or None
+        return False if enough.is_set() else None
 
-    thread = threading.Thread(target=lambda: begun.wait() and go_on.set())
-    thread.start()
-    tramline.plan(FIELD, width=3, prices=PRICES, progress=progress)
+    thread = threading.Thread(target=lambda: begun.wait() and enough.set())
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1000)  # so that others run only where the lock is released
+    try:
+        thread.start()
+        plan = tramline.plan(FIELD, width=3, prices=PRICES, progress=progress)
+    finally:
+        sys.setswitchinterval(before)
     thread.join(10)
-    assert go_on.is_set()
+    assert plan.cut_short
 
 
 def test_progress_ends_a_search():
@@ -126,10 +157,15 @@ def test_an_exception_of_progress_is_raised():
 
 
 def test_ctrl_c(tmp_path):
-    code = "import tramline\nprint('begun', flush=True)\nwhile True: tramline.plan('POLYGON((0 0,500 0,620 410,0 300,0 0))', width=2)"
-    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    """print() is no Python code: the interpreter itself would see the signal only after the plan."""
+    code = (
+        "import tramline\n"
+        "tramline.plan('POLYGON((0 0,500 0,620 410,0 300,0 0))', width=2, progress=print)\n"
+        "print('planned to the end')"
+    )
+    run = subprocess.Popen([sys.executable, "-u", "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     run.stdout.readline()
-    time.sleep(0.3)
     run.send_signal(signal.SIGINT)
-    _, said = run.communicate(timeout=60)
+    printed, said = run.communicate(timeout=60)
     assert "KeyboardInterrupt" in said
+    assert "planned to the end" not in printed

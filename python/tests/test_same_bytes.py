@@ -1,9 +1,12 @@
 """The package gives the bytes that the program gives."""
 
 import json
+import os
 
 import pytest
 import tramline
+
+OBSTACLES = f"{os.environ['EXAMPLES']}/riverside-obstacles.geojson"
 
 REQUESTS = {
     "a parcel planned to be driven": ("narrow-parcel.geojson", {"width": 6, "radius": 6}),
@@ -11,8 +14,8 @@ REQUESTS = {
     "in plain metres": ("plain-metres.gpkg", {"width": 12, "weights": (1, 1, 1), "headlands": 1}),
     "one field of many": ("two-farms.gpkg", {"layer": "parcels", "id": "mill-field", "width": 24, "prices": (0.02, 0.1, 1)}),
     "with obstacles of a file": (
-        "roadside.geojson",
-        {"width": 24, "like": "versleijen", "obstacle_size": 5.5, "threads": 1},
+        "riverside.geojson",
+        {"width": 24, "like": "versleijen", "obstacles": OBSTACLES, "threads": 1},
     ),
 }
 

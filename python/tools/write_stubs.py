@@ -36,7 +36,7 @@ _Progress = Callable[[int, int], object]
 # that is there already have no use.
 FUNCTIONS = {
     "plan": ("field: _Field, *, name: str | None = ..., progress: _Progress | None = ...", "plan", {"all"}, "Plan"),
-    "plan_fields": ("gdf: Any, *, plans: bool = ...", "plan", {"all", "id"}, "Any"),
+    "plan_fields": ("gdf: Any, *, plans: bool = ...", "plan", {"all", "id", "where"}, "Any"),
     "compare": ("field: _Field, *, name: str | None = ..., progress: _Progress | None = ...", "compare", {"all"}, "Comparison"),
     "price": ("lines: Any, field: _Field | None = ..., *", "price", {"field"}, "Plan"),
     "evaluate": ("done: Plan | _Path, *, field: _Field | None = ..., plan: Plan | _Path | None = ...", "evaluate", {"field"}, "Evaluation"),

@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core
 from ._core import InputError
-from ._fields import given
+from ._fields import Given, given
 from ._results import Comparison, Evaluation, Plan, Verdict
 from ._words import words
 
@@ -30,10 +30,19 @@ _NUMBERS = (
 )
 
 
-def _none_of(options: dict[str, Any], *names: str) -> None:
+def _none_of(options: dict[str, Any], why: str, *names: str) -> None:
     for name in names:
         if name in options:
-            raise InputError(f"'{name}' was not expected: plan_fields() plans many fields")
+            raise InputError(f"'{name}' was not expected: {why}")
+
+
+_ONE_FIELD = "this takes one field; plan_fields() plans many"
+
+
+def _require_file(source: Given, options: dict[str, Any]) -> None:
+    """Layers and filters choose from a file: with geometries in memory they would be ignored."""
+    if source.features is not None:
+        _none_of(options, "it chooses from a file, and the field is in memory", "layer", "where", "id")
 
 
 def plan(field: Any, *, name: str | None = None, progress: Any = None, **options: Any) -> Plan:
@@ -45,8 +54,9 @@ def plan(field: Any, *, name: str | None = None, progress: Any = None, **options
     progress: called with (done, total); ends the search with the best plan so far where it returns False.
     Raises InputError, a ValueError, for what cannot be planned and RunError where a run fails.
     """
-    _none_of(options, "all")
+    _none_of(options, _ONE_FIELD, "all")
     source = given(field, "field", name)
+    _require_file(source, options)
     return Plan(_core.plan([source.file, *words(options)], source.features, progress))
 
 
@@ -58,7 +68,7 @@ def plan_fields(gdf: Any, *, threads: int = 0, plans: bool = False, **options: A
     """
     import geopandas
 
-    _none_of(options, "all", "id", "name")
+    _none_of(options, "every field is planned; choose rows of the GeoDataFrame", "all", "id", "name", "where")
     if isinstance(gdf, (str, os.PathLike)):
         layer = options.pop("layer", None)
         gdf = geopandas.read_file(gdf, layer=layer) if layer else geopandas.read_file(gdf)
@@ -99,6 +109,8 @@ def _field_words(field: Any, options: dict[str, Any]) -> tuple[list[str], _core.
     if field is None:
         return words(options), None
     source = given(field, "field")
+    if source.count > 1:
+        raise InputError(f"the field has {source.count} features; give the one that was planned or worked")
     return [f"--field={source.file}", *words(options)], source.features
 
 
@@ -151,8 +163,9 @@ def price(lines: Any, field: Any = None, **options: Any) -> Plan:
 
 def compare(field: Any, *, name: str | None = None, progress: Any = None, **options: Any) -> Comparison:
     """The plans of a field that are worth a choice, as `tramline compare` finds them."""
-    _none_of(options, "all")
+    _none_of(options, _ONE_FIELD, "all")
     source = given(field, "field", name)
+    _require_file(source, options)
     return Comparison(_core.compare([source.file, *words(options)], source.features, progress))
 
 

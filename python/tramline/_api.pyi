@@ -93,7 +93,6 @@ def plan(
 def plan_fields(
     gdf: Any, *, plans: bool = ...,
     layer: str | None = ...,
-    where: str | None = ...,
     crs: str | None = ...,
     obstacles: _Path | None = ...,
     obstacle_size: float | None = ...,

@@ -26,6 +26,7 @@ class Given(NamedTuple):
 
     file: str
     features: _core.Features | None
+    count: int = 0  # of features in memory
 
 
 class _Shape(NamedTuple):
@@ -59,7 +60,8 @@ def _file_name(source: os.PathLike[Any]) -> str:
 
 
 def _in_memory(shapes: list[_Shape], crs: str, what: str) -> Given:
-    return Given(what, _core.features([(shape.bytes, shape.form, shape.id) for shape in shapes], crs, what))
+    features = _core.features([(shape.bytes, shape.form, shape.id) for shape in shapes], crs, what)
+    return Given(what, features, len(shapes))
 
 
 def _of_text(source: str, name: str) -> tuple[list[_Shape], str]:

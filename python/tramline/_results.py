@@ -5,34 +5,16 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import sqlite3
 import tempfile
 from collections.abc import Mapping
+from contextlib import closing
 from functools import cached_property
 from typing import Any
 
 from . import _core
 from ._core import InputError
 from ._plain_layer import plain_features
-
-# The layers of docs/plan-file.md that have shapes.
-PLAN_LAYERS = (
-    "field",
-    "obstacles",
-    "body",
-    "headland",
-    "given_up",
-    "subfields",
-    "headland_passes",
-    "tracks",
-    "turns",
-    "route_legs",
-    "swaths",
-    "overlap",
-    "uncovered",
-    "headland_unworked",
-    "dropped",
-    "encounters",
-)
 
 
 def _picture(draw: Any) -> str:
@@ -217,12 +199,9 @@ class Plan(Figures):
 
     @cached_property
     def layers(self) -> tuple[str, ...]:
-        """The names of the layers that this plan has."""
-        return tuple(
-            name
-            for name in PLAN_LAYERS
-            if (name != "turns" or "planned_turns" in self.figures) and (name != "route_legs" or "route" in self.figures)
-        )
+        """The names of the layers with shapes that this plan has."""
+        with closing(sqlite3.connect(self._plan_file[1])) as file:
+            return tuple(name for (name,) in file.execute("SELECT table_name FROM gpkg_geometry_columns"))
 
     def _require_layer(self, name: str) -> None:
         if name not in self.layers:

@@ -13,6 +13,7 @@ import argparse
 import json
 import logging
 import sys
+import threading
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
@@ -23,22 +24,26 @@ from ._core import InputError, RunError
 
 # Chunks that are handed out before a worker asks for them.
 _WAITING_PER_WORKER = 2
-# How long a worker, a scheduler or a connection may be gone before the run ends.
+# How long a scheduler or a connection may be gone, and no worker be there at first, before the run ends.
 _GONE_S = 60
 # How often a chunk may take its worker down with it before it is given up.
 _DEATHS_OF_A_CHUNK = 10
 
 _batches: dict[tuple[str, ...], _core.Batch] = {}
+# Workers may have several threads.
+_opening = threading.Lock()
 
 
 def work_on(words: Sequence[str], chunk: int) -> tuple[int, int]:
     """On a worker: reads the features of the chunk, plans them and writes the chunk. Fields planned and refused."""
     key = tuple(words)
     # The file stays open between chunks, and chunks come in its order.
-    if key not in _batches:
-        _batches.clear()
-        _batches[key] = _core.Batch(list(words))
-    return _batches[key].work_on(chunk)
+    with _opening:
+        if key not in _batches:
+            _batches.clear()
+            _batches[key] = _core.Batch(list(words))
+        batch = _batches[key]
+    return batch.work_on(chunk)
 
 
 class _Pace:
@@ -94,8 +99,9 @@ def _cluster(scheduler: str, workers: int) -> Any:
     import dask
     from distributed import Client, LocalCluster
 
-    dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS_OF_A_CHUNK})
     if scheduler == "local":
+        # Elsewhere it is the scheduler's own setting.
+        dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS_OF_A_CHUNK})
         cluster = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
         return Client(cluster, timeout=_GONE_S)
     return Client(scheduler, timeout=_GONE_S)
@@ -107,6 +113,10 @@ def run(words: Sequence[str], scheduler: str = "local", workers: int = 2, quiet:
     words: the command line of `tramline batch`, ["parcels.gpkg", "--output=plans", "--width=24"].
     Raises InputError, and RunError where the cluster is lost: with --resume another run goes on.
     """
+    try:
+        import distributed  # noqa: F401
+    except ImportError:
+        raise InputError("tramline.batch needs Dask distributed: install python3-distributed") from None
     batch = _core.Batch(list(words))
     missing = batch.missing()
     # Workers find the folder begun, and use a core each.
@@ -118,6 +128,7 @@ def run(words: Sequence[str], scheduler: str = "local", workers: int = 2, quiet:
     if missing:
         try:
             with _cluster(scheduler, workers) as client:
+                client.wait_for_workers(1, timeout=_GONE_S)
                 for chunk in _finished(client, theirs, missing):
                     pace.add(batch.fields_in(chunk))
         except (InputError, RunError):
@@ -133,7 +144,8 @@ def run(words: Sequence[str], scheduler: str = "local", workers: int = 2, quiet:
 def main(arguments: Sequence[str]) -> int:
     assert __doc__ is not None
     parser = argparse.ArgumentParser(
-        prog="python3 -m tramline.batch", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+        prog="python3 -m tramline.batch", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
     )
     parser.add_argument("--scheduler", default="local", help="tcp://HOST:PORT, or local: a cluster on this machine")
     parser.add_argument("--workers", type=int, default=2, help="processes of a local cluster (default: 2)")

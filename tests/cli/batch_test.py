@@ -94,7 +94,9 @@ class Batch(unittest.TestCase):
 
     def test_plans_hold(self):
         self.run_batch("out")
-        for file in (self.folder / "out/chunks").glob("*.gpkg"):
+        files = sorted((self.folder / "out/chunks").glob("*.gpkg"))
+        self.assertGreater(len(files), 3)
+        for file in files:
             done = subprocess.run([TRAMLINE, "check", str(file), "--json"], capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout[-500:])
 

@@ -81,11 +81,12 @@ flow('a phone opens each view at its top', { viewport: NARROW, touch: true }, as
   await openField(page, smallField(server.folder));
   await planTracks(page);
   await makePlan(page);
-  await page.evaluate(() => scrollTo(0, 900));
+  const scrolled = () => page.evaluate(() => { scrollTo(0, 900); return scrollY; });
+  assert.ok((await scrolled()) > 0, 'the view is longer than the phone');
   await goTo(page, 'Fields');
   await page.waitForFunction(() => scrollY === 0);
   await goTo(page, 'Plan');
-  await page.evaluate(() => scrollTo(0, 900));
+  assert.ok((await scrolled()) > 0);
   await page.reload();
   await page.getByLabel('The plan in numbers').first().waitFor();
   assert.equal(await page.evaluate(() => scrollY), 0);

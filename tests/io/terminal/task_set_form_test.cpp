@@ -28,7 +28,7 @@ std::vector<TerminalField> sample_fields(LineChoice choice) {
   std::vector<TerminalField> out;
   for (int i = 0; i < 3; ++i) out.push_back(terminal_field(many, choice, 0.02, "plan.gpkg"));
   out.push_back(terminal_field(testing_support::small_plan(), choice, 0.02, "small.gpkg"));
-  out.back().gaps = {{{{1, 1}, {3, 1}, {3, 3}}, {}}};
+  out.back().gaps = {{3, {{{1, 1}, {3, 1}, {3, 3}}, {}}}};
   return out;
 }
 
