@@ -109,8 +109,8 @@ def _field_words(field: Any, options: dict[str, Any]) -> tuple[list[str], _core.
     if field is None:
         return words(options), None
     source = given(field, "field")
-    if source.count > 1:
-        raise InputError(f"the field has {source.count} features; give the one that was planned or worked")
+    if source.number > 1:
+        raise InputError(f"the field has {source.number} features; give the one that was planned or worked")
     return [f"--field={source.file}", *words(options)], source.features
 
 

@@ -26,7 +26,7 @@ class Given(NamedTuple):
 
     file: str
     features: _core.Features | None
-    count: int = 0  # of features in memory
+    number: int = 0  # of features in memory
 
 
 class _Shape(NamedTuple):

@@ -13,7 +13,6 @@ import argparse
 import json
 import logging
 import sys
-import threading
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
@@ -21,6 +20,7 @@ from typing import Any
 
 from . import _core
 from ._core import InputError, RunError
+from ._worker import work_on
 
 # Chunks that are handed out before a worker asks for them.
 _WAITING_PER_WORKER = 2
@@ -28,22 +28,6 @@ _WAITING_PER_WORKER = 2
 _GONE_S = 60
 # How often a chunk may take its worker down with it before it is given up.
 _DEATHS_OF_A_CHUNK = 10
-
-_batches: dict[tuple[str, ...], _core.Batch] = {}
-# Workers may have several threads.
-_opening = threading.Lock()
-
-
-def work_on(words: Sequence[str], chunk: int) -> tuple[int, int]:
-    """On a worker: reads the features of the chunk, plans them and writes the chunk. Fields planned and refused."""
-    key = tuple(words)
-    # The file stays open between chunks, and chunks come in its order.
-    with _opening:
-        if key not in _batches:
-            _batches.clear()
-            _batches[key] = _core.Batch(list(words))
-        batch = _batches[key]
-    return batch.work_on(chunk)
 
 
 class _Pace:

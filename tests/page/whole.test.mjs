@@ -69,7 +69,9 @@ flow('a field opens with its last plan, and the form is as it was made', {}, asy
   assert.match(await rows.nth(0).innerText(), /12 m wide/);
   await rows.nth(1).click();
   await page.waitForFunction((id) => location.hash.includes(`plan=${id}`), first);
-  assert.equal(await page.getByLabel('Working width', { exact: true }).inputValue(), '6', 'the form is that of the plan on the map');
+  // The form follows once the plan has been read.
+  const width = await page.getByLabel('Working width', { exact: true }).elementHandle();
+  await page.waitForFunction((input) => input.value === '6', width);
   await page.waitForTimeout(800);
   assert.equal((await ask(server, `/plans?field=${openId(page, 'field')}`)).length, 2, 'looking at a plan makes none');
 

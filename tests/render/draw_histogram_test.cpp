@@ -42,8 +42,8 @@ std::vector<Bar> bars_of(const std::string& svg) {
   return out;
 }
 
-// The 99th percentile of the five is 2, a thirtieth of it 0.07: bars of 0.1, of which the 21st, from 2 on, holds
-// 50 too. 0, 1 and 2 begin the 1st, the 11th and the 21st.
+// The 99th percentile of the five is 2, a thirtieth of it 0.07: bars of 0.1, of which the 21st, from 2 on,
+// holds 50 too. 0, 1 and 2 begin the 1st, the 11th and the 21st.
 TEST(Histogram, CountsValuesInBarsOfARoundStep) {
   const std::string svg = drawn({0, 1, 1, 2, 50});
   const std::vector<Bar> bars = bars_of(svg);
