@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/route/build/route_proof.h"
 #include "tramline/route/order/best_tour.h"
 
 namespace tramline {
@@ -108,7 +109,9 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
     route = route_over(task, lines, tour);
     tour = route->tour;
   }
-  Driven out{order::pieces_on(tour, lines), {}, {}, std::move(route)};
+  Driven out;
+  out.pieces = order::pieces_on(tour, lines);
+  out.route = std::move(route);
   for (const order::End end : tour) {
     std::vector<std::size_t> along = piece_indices[order::line_of(end)];
     if (!order::is_start(end)) std::reverse(along.begin(), along.end());
@@ -117,7 +120,15 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
       out.back.push_back(!order::is_start(end));
     }
   }
+  out.tour = std::move(tour);
   return out;
+}
+
+RouteProof proof_of_route(const SearchTask& task, const Candidate& candidate, const order::Tour& tour,
+                          const Plan& plan) {
+  const RouteTask of_route{task.field,    task.machine,     plan.settings,
+                           task.headland, task.ground.body, task.turning_land};
+  return route_proof(of_route, order::lines_of(track_pieces(task, candidate)), tour, plan.route);
 }
 
 }  // namespace tramline

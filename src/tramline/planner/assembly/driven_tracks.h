@@ -20,6 +20,7 @@ struct LaidIndex {
 struct Driven {
   std::vector<TrackPiece> pieces;
   std::vector<LaidIndex> laid;          ///< by piece: its index before ordering
+  order::Tour tour;                     ///< over the lines of the pieces
   std::vector<bool> back;               ///< by piece: whether it is driven against the direction of its track
   std::optional<PlannedRoute> route{};  ///< where the settings ask for it
 };
@@ -31,6 +32,11 @@ std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& ca
 /// The same pieces in the order and directions in which they are driven: along the planned route where the
 /// settings ask for one, otherwise as order::best_tour() or order::skip_tour() say.
 Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
+
+/// What no route over the tracks of a candidate and the headland passes takes less than. `tour` and `plan`: of
+/// driven_tracks() and the plan with its route.
+RouteProof proof_of_route(const SearchTask& task, const Candidate& candidate, const order::Tour& tour,
+                          const Plan& plan);
 
 /// The path of a piece in the field's frame, from one end to the other; without detours for a straight piece.
 Path line_of(const LaidPiece& piece, const StripGrid& grid);

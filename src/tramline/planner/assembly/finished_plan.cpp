@@ -53,7 +53,6 @@ void add_guide(const SearchTask& task, std::vector<Subfield>& subfields) {
 /// Fills in the route and marks the ends without a way off; returns their number.
 int add_route(const AllowedLand& land, PlannedRoute route, Plan& plan) {
   plan.route.legs = std::move(route.legs);
-  plan.route.proof = std::move(route.proof);
   plan.settings.route.start = route.start;
   plan.settings.route.end = route.end;
   plan.stop_rule = StopRule::kNoWayOff;
@@ -131,6 +130,8 @@ Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const
   TrackGround ground = track_ground(plan, found.best);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
   plan.proof = whole_proof(task, found, plan);
+  if (plan.route.planned())
+    plan.route.proof = proof_of_route(task, found.best, draft.driven.tour, plan);
   context.report();
   add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);

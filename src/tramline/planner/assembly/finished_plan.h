@@ -13,7 +13,7 @@ void require_tracks(const SearchTask& task, const Tally& tally);
 
 /// A plan with all that decides whether it is better than another one: its pieces in driving order, its turns
 /// or its route, its tally and its cost. What takes long and decides nothing is left out: the overlap of
-/// single pieces, encounters, layers of polygons, the bound and warnings.
+/// single pieces, encounters, layers of polygons, the bounds and warnings.
 struct PlanDraft {
   Plan plan;
   Driven driven;  ///< without pieces and route, which the plan has

@@ -23,7 +23,7 @@ class AsBounds final : public ConnectionBounds {
   std::size_t lines() const override { return costs_.lines(); }
   std::size_t gates() const override { return 0; }
   double between(std::size_t a, std::size_t b) const override { return costs_.between(a, b); }
-  double least(std::size_t a, std::size_t b) const override { return costs_.between(a, b); }
+  double least(std::size_t a, std::size_t b) const override { return costs_.least(a, b); }
 
  private:
   const EndCosts& costs_;

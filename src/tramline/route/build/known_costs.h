@@ -1,6 +1,7 @@
 #pragma once
 // What ways between the ends of lines cost, as far as it is known.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -25,6 +26,9 @@ class KnownCosts final : public order::EndCosts {
 
   std::size_t lines() const override { return lines_.size(); }
   double between(order::End a, order::End b) const override;
+  double least(order::End a, order::End b) const override {
+    return std::min(least_.crude(left_[a], entered_[b]), least_.crude(left_[b], entered_[a]));
+  }
   double at_start(order::End entered) const override { return at_start_[entered]; }
   double at_finish(order::End left) const override { return at_finish_[left]; }
 

@@ -9,7 +9,6 @@
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/leg_list.h"
 #include "tramline/route/build/pass_tour.h"
-#include "tramline/route/build/route_proof.h"
 #include "tramline/route/build/track_tour.h"
 #include "tramline/turns/track_ends.h"
 
@@ -31,6 +30,12 @@ bool machine_is_its_bar(const Machine& machine) {
   const Turning& turning = machine.turning;
   return reach_back_m(turning) == 0 && turning.drawbar_m == 0 && turning.front_overhang_m == 0 &&
          turning.rear_overhang_m == 0;
+}
+
+/// Where nothing reaches out, what is driven from the end of a way sweeps the same land.
+Senses senses_of(const Machine& machine) {
+  const bool alike = machine_is_its_bar(machine) && machine.turning.lift_m == machine.turning.lower_m;
+  return alike ? Senses::kCostTheSame : Senses::kDiffer;
 }
 
 /// What follows lines on the route: other lines, or the gate at its end, if any.
@@ -60,7 +65,6 @@ class RoutePlanner {
     if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
     out_.legs = std::move(legs_).finished();
     measure_room_at_work();
-    out_.proof = route_proof(task_, lines_, out_, least_);
     return std::move(out_);
   }
 
@@ -130,7 +134,7 @@ class RoutePlanner {
     }
     KnownCosts costs(lines, connector_, least_);
     set_ends(lines, Behind::kMore, costs);
-    const TrackTour tour = best_tour_with_ways({as_given}, costs);
+    const TrackTour tour = best_tour_with_ways({as_given}, senses_of(task_.machine), costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
@@ -165,7 +169,9 @@ class RoutePlanner {
         task_.settings.route.passes == PassTime::kLast && !task_.headland.passes.empty();
     set_ends(route_lines_, passes_follow ? Behind::kMore : Behind::kGate, costs);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
-    const TrackTour tour = best ? best_tour_with_ways(given, costs) : with_ways(given.front(), costs);
+    const Senses senses = senses_of(task_.machine);
+    const TrackTour tour =
+        best ? best_tour_with_ways(given, senses, costs) : with_ways(given.front(), senses, costs);
     std::size_t piece = 0;
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];

@@ -24,7 +24,6 @@ struct RouteTask {
 struct PlannedRoute {
   order::Tour tour;  ///< over the lines
   std::vector<RouteLeg> legs;
-  RouteProof proof;
   std::optional<Point> start{};  ///< gates as driven: moved to where the machine has room
   std::optional<Point> end{};
 };

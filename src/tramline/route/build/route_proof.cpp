@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/route/axle/axle_path.h"
+#include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/best_bound.h"
 
@@ -89,16 +90,17 @@ double fixed_seconds(const std::vector<RouteLeg>& legs, const std::vector<order:
 }  // namespace
 
 RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
-                       const PlannedRoute& route, const LeastSeconds& least) {
+                       const order::Tour& tour, const Route& route) {
+  const LeastSeconds least(task.machine);
   const Turning& turning = task.machine.turning;
   RouteProof out;
   const double fixed_s = fixed_seconds(route.legs, lines, turning);
   double whole_s = 0;
   for (const RouteLeg& leg : route.legs) whole_s += leg.time_s;
   std::vector<Point> gates;
-  for (const std::optional<Point>& gate : {route.start, route.end})
+  for (const std::optional<Point>& gate : {task.settings.route.start, task.settings.route.end})
     if (gate) gates.push_back(*gate);
-  const LeastConnections bounds(lines_of_proof(task, lines, route.tour), gates, least);
+  const LeastConnections bounds(lines_of_proof(task, lines, tour), gates, least);
   if (bounds.lines() == 0) {
     out.bound_s = fixed_s;
     return out;

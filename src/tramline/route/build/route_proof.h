@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/planned_route.h"
 
 namespace tramline {
 
-/// Node prices and the bound that they prove (RouteProof), for a route whose tour and legs are planned.
+/// Node prices and the bound that they prove (RouteProof), for the legs of a route that works lines in the
+/// order of a tour between the gates of its settings. `route`: of a plan for the same task.
 RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
-                       const PlannedRoute& route, const LeastSeconds& least);
+                       const order::Tour& tour, const Route& route);
 
 }  // namespace tramline

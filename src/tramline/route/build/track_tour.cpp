@@ -1,6 +1,7 @@
 #include "tramline/route/build/track_tour.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tramline/route/build/found_order.h"
 #include "tramline/route/tolerances.h"
@@ -32,9 +33,12 @@ auto without_room(const std::vector<Way>& ways) {
   return std::ranges::count_if(ways, [](const Way& way) { return !way.has_room(); });
 }
 
+double at_ends(const Tour& tour, const KnownCosts& costs) {
+  return costs.at_start(tour.front()) + costs.at_finish(order::other_end(tour.back()));
+}
+
 double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
-  return cost_of_ways(tour.ways) + costs.at_start(tour.tour.front()) +
-         costs.at_finish(order::other_end(tour.tour.back()));
+  return cost_of_ways(tour.ways) + at_ends(tour.tour, costs);
 }
 
 /// The cheapest of tours by what is known of them.
@@ -45,14 +49,20 @@ const Tour& cheapest(const std::vector<Tour>& tours, const KnownCosts& costs) {
 
 }  // namespace
 
-TrackTour with_ways(const Tour& tour, KnownCosts& costs) {
-  TrackTour there = in_order(tour, costs), back = in_order(order::backwards(tour), costs);
-  const auto lacking = without_room(there.ways), lacking_back = without_room(back.ways);
+TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
+  Tour first = tour, second = order::backwards(tour);
+  if (senses == Senses::kCostTheSame && at_ends(second, costs) < at_ends(first, costs))
+    std::swap(first, second);
+  TrackTour there = in_order(first, costs);
+  const auto lacking = without_room(there.ways);
+  if (senses == Senses::kCostTheSame && lacking == 0) return there;
+  TrackTour back = in_order(second, costs);
+  const auto lacking_back = without_room(back.ways);
   if (lacking != lacking_back) return lacking < lacking_back ? there : back;
   return whole_cost(there, costs) <= whole_cost(back, costs) ? there : back;
 }
 
-TrackTour best_tour_with_ways(const std::vector<Tour>& given, KnownCosts& costs) {
+TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, KnownCosts& costs) {
   const order::Neighbours neighbours = costs.neighbours();
   std::vector<Tour> settled;
   Tour tour = found_order(costs, neighbours, given, order::Effort::kWhole);
@@ -63,7 +73,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, KnownCosts& costs)
     if (order::connection_s(tour, costs) <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
     tour = found_order(costs, neighbours, settled, order::Effort::kAgain);
   }
-  return with_ways(cheapest(settled, costs), costs);
+  return with_ways(cheapest(settled, costs), senses, costs);
 }
 
 }  // namespace tramline

@@ -13,13 +13,17 @@ struct TrackTour {
   std::vector<Way> ways;
 };
 
+/// Whether a way costs as much as the same one driven from its end, as it does where nothing reaches ahead of
+/// the axle or behind it.
+enum class Senses { kCostTheSame, kDiffer };
+
 /// The ways of a given tour, as it is or, where that costs less, driven from its end.
-TrackTour with_ways(const order::Tour& tour, KnownCosts& costs);
+TrackTour with_ways(const order::Tour& tour, Senses senses, KnownCosts& costs);
 
 /// A tour of little cost: up to kMostExact lines the best, otherwise the best found from the tours given and
 /// from others, by exchanges. Costs are lower bounds where no way has been looked for, so ways are looked for
 /// along the best tour, and the search is repeated from there until it stays or kMostRounds have passed; the
 /// best tour whose ways are known is returned. Deterministic.
-TrackTour best_tour_with_ways(const std::vector<order::Tour>& given, KnownCosts& costs);
+TrackTour best_tour_with_ways(const std::vector<order::Tour>& given, Senses senses, KnownCosts& costs);
 
 }  // namespace tramline

@@ -19,6 +19,8 @@ class EndCosts {
   virtual std::size_t lines() const = 0;
   /// From leaving a line by one end to entering another line by the other end. Symmetric.
   virtual double between(End a, End b) const = 0;
+  /// At most between(a, b), and quicker to compute where it is worth it.
+  virtual double least(End a, End b) const { return between(a, b); }
   /// Before the first line, which is entered by this end: from the gate, or from what is worked before.
   virtual double at_start(End entered) const;
   /// After the last line, which is left by this end.

@@ -18,20 +18,38 @@ constexpr std::size_t kMostMeasured = 4;
 /// A hop farther than so many times the width of a turn is more than a turn.
 constexpr double kFar_turns = 3;
 
-/// The manoeuvre with the straight ways on which the implement is lifted before it and, after it, driven in
-/// line and lowered.
+/// The ways on which the implement is lifted, and driven in line and lowered: before a manoeuvre and after it.
+struct StraightPaths {
+  SteeredPath before, after;
+};
+
+SteeredPath straight(const Pose& from, double length_m) {
+  if (!(length_m > 0)) return {};
+  return {{from, length_m}};
+}
+
+StraightPaths straight_paths(const Hop& hop, const Turning& turning, const StraightWays& more) {
+  const double back_m = reach_back_m(turning), in_line_m = turning.lower_m + more.after_m;
+  return {straight({hop.end.at + back_m * hop.end.heading.unit(), hop.end.heading},
+                   turning.lift_m + more.before_m),
+          straight({hop.start.at + (back_m - in_line_m) * hop.start.heading.unit(), hop.start.heading},
+                   in_line_m)};
+}
+
+/// Whether there is room for them at least. An implement in tow is not in line yet where it is lowered.
+bool straight_ways_fit(const Hop& hop, const StraightWays& more, const AllowedLand& land,
+                       const Machine& machine) {
+  const Outline outline = outline_of(machine);
+  const StraightPaths ways = straight_paths(hop, machine.turning, more);
+  return land.fits(ways.before, outline) && (outline.tows() || land.fits(ways.after, outline));
+}
+
+/// The manoeuvre with the straight ways before and after it.
 Manoeuvre whole(Manoeuvre manoeuvre, const Hop& hop, const Turning& turning, const StraightWays& more) {
-  SteeredPath path;
-  const double back_m = reach_back_m(turning);
-  const auto add_straight = [&path](const Pose& from, double length_m) {
-    if (length_m > 0) path.push_back({from, length_m});
-  };
-  add_straight({hop.end.at + back_m * hop.end.heading.unit(), hop.end.heading},
-               turning.lift_m + more.before_m);
+  const StraightPaths ways = straight_paths(hop, turning, more);
+  SteeredPath path = ways.before;
   path.insert(path.end(), manoeuvre.path.begin(), manoeuvre.path.end());
-  const double in_line_m = turning.lower_m + more.after_m;
-  add_straight({hop.start.at + (back_m - in_line_m) * hop.start.heading.unit(), hop.start.heading},
-               in_line_m);
+  path.insert(path.end(), ways.after.begin(), ways.after.end());
   manoeuvre.path = std::move(path);
   return manoeuvre;
 }
@@ -136,8 +154,13 @@ std::optional<Manoeuvre> turn_before_ends(const Hop& hop, const AllowedLand& lan
   };
   if (auto direct = with_ways(least)) return direct;
   if (far_apart(hop, machine)) return std::nullopt;
-  for (int sum = 1; sum <= kMostSteps; ++sum)
-    for (int before = 0; before <= sum; ++before)
+  const auto has_room = [&](const StraightWays& ways) { return straight_ways_fit(hop, ways, land, machine); };
+  int most_before = 0, most_after = 0;
+  while (most_before < kMostSteps && has_room({least.before_m + (most_before + 1) * step_m, 0}))
+    ++most_before;
+  while (most_after < kMostSteps && has_room({0, least.after_m + (most_after + 1) * step_m})) ++most_after;
+  for (int sum = 1; sum <= std::min(kMostSteps, most_before + most_after); ++sum)
+    for (int before = std::max(0, sum - most_after); before <= std::min(sum, most_before); ++before)
       if (auto fits = with_ways({least.before_m + before * step_m, least.after_m + (sum - before) * step_m}))
         return fits;
   return std::nullopt;
