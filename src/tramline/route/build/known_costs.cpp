@@ -49,9 +49,10 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
 }
 
 double KnownCosts::estimate(order::End left, order::End entered) const {
-  const double least_s = least_.between(left_[left], entered_[entered]);
   const bool far = distance(left_[left].at, entered_[entered].at) > far_m_;
-  return (far ? kRoundAbout * least_s : least_s) + backing_s_[left] + backing_s_[entered];
+  const double least_s = far ? kRoundAbout * least_.forward(left_[left], entered_[entered])
+                             : least_.between(left_[left], entered_[entered]);
+  return least_s + backing_s_[left] + backing_s_[entered];
 }
 
 double KnownCosts::one_way(order::End left, order::End entered) const {

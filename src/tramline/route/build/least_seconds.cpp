@@ -27,11 +27,15 @@ LeastSeconds::LeastSeconds(const Machine& machine)
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps) {}
 
-double LeastSeconds::between(const Pose& left, const Pose& entered) const {
+double LeastSeconds::forward(const Pose& left, const Pose& entered) const {
   const double straight_m = turning_.lift_m + turning_.lower_m;
   const double forward_m = straight_m + dubins_length(moved_on(left, turning_.lift_m),
                                                       moved_on(entered, -turning_.lower_m), radius_m_);
-  const double forward_s = forward_m / turning_.turning_speed_mps;
+  return forward_m / turning_.turning_speed_mps;
+}
+
+double LeastSeconds::between(const Pose& left, const Pose& entered) const {
+  const double forward_s = forward(left, entered);
   const double changes_s = 2 * turning_.gear_change_s;
   if (!reverses_ || changes_s + least_reversing_m(left, entered, radius_m_) / fastest_mps_ >= forward_s)
     return forward_s;

@@ -17,7 +17,9 @@ class LeastSeconds {
 
   /// From the axle's pose where one work ends to that where another begins. O(1), allocates nothing.
   double between(const Pose& left, const Pose& entered) const;
-  /// The same, but at most as large, in a tenth of the time: along the straight line.
+  /// The same of ways without reversing.
+  double forward(const Pose& left, const Pose& entered) const;
+  /// As between(), but at most as large, in a tenth of the time: along the straight line.
   double crude(const Pose& left, const Pose& entered) const;
   /// From a gate, or to one.
   double to_gate(Point gate, const Pose& pose) const { return distance(gate, pose.at) / fastest_mps_; }
