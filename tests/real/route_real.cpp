@@ -3,10 +3,10 @@
 //
 //   route_real WIDTH RADIUS forward|reversing [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]
 //
-// The curated fields, or all of them; or every so many of them, from number FIRST on, counted from 0. PASSES: of the headlands of field and obstacles, or auto, which
-// is the default. Fields whose id begins with PREFIX alone, where it is given. Prints a line for every field,
-// and a summary; exit code 1 where a plan does not hold or a leg that is said to fit leaves the land. DUMP: a
-// folder for the legs as text.
+// The curated fields, or all of them; or every so many of them, from number FIRST on, counted from 0. PASSES:
+// of the headlands of field and obstacles, or auto, which is the default. Fields whose id begins with PREFIX
+// alone, where it is given. Prints a line for every field, and a summary; exit code 1 where a plan does not
+// hold or a leg that is said to fit leaves the land. DUMP: a folder for the legs as text.
 
 #include <fmt/format.h>
 #include <time.h>
@@ -246,7 +246,8 @@ int run(const Machine& machine, const Words& words) {
 
 int main(int count, char** words) {
   const auto machine = tramline::testing::machine_in_words(
-      count, words, "route_real WIDTH RADIUS forward|reversing [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]");
+      count, words,
+      "route_real WIDTH RADIUS forward|reversing [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]");
   if (!machine) return 2;
   return tramline::testing::run(*machine, {count > 4 ? words[4] : "curated", count > 5 ? words[5] : "auto",
                                            count > 6 ? words[6] : "", count > 7 ? words[7] : ""});

@@ -10,8 +10,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "route/scenes.h"
-#include "tramline/route/order/skip_pattern.h"
-#include "tramline/route/search/block_patterns.h"
+#include "tramline/route/order/land_pattern.h"
 #include "tramline/route/search/closed_tour.h"
 #include "tramline/route/search/double_bridge.h"
 #include "tramline/route/search/neighbours.h"
@@ -188,26 +187,6 @@ TEST(LandPattern, GoesFromBothSidesInwards) {
   EXPECT_EQ(land_pattern(3, 1), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(land_pattern(2, 9), (std::vector<std::size_t>{0, 1}));
   EXPECT_TRUE(land_pattern(0, 3).empty());
-}
-
-TEST(BlockPatterns, HaveEveryTrackOnceAndNoOrderTwice) {
-  for (std::size_t tracks = 0; tracks < 30; ++tracks)
-    for (std::size_t jump = 1; jump < 7; ++jump) {
-      const std::vector<std::vector<std::size_t>> patterns = block_patterns(tracks, jump);
-      for (std::size_t i = 0; i < patterns.size(); ++i) {
-        std::vector<std::size_t> sorted = patterns[i];
-        std::sort(sorted.begin(), sorted.end());
-        ASSERT_EQ(sorted.size(), tracks);
-        for (std::size_t track = 0; track < tracks; ++track) EXPECT_EQ(sorted[track], track);
-        EXPECT_EQ(std::count(patterns.begin(), patterns.end(), patterns[i]), 1);
-      }
-      const auto has = [&](const std::vector<std::size_t>& pattern) {
-        return std::find(patterns.begin(), patterns.end(), pattern) != patterns.end();
-      };
-      EXPECT_TRUE(has(land_pattern(tracks, 1)));  // up and down
-      EXPECT_TRUE(has(skip_pattern(tracks, jump)));
-      EXPECT_TRUE(has(land_pattern(tracks, 2 * jump)));
-    }
 }
 
 }  // namespace

@@ -296,6 +296,21 @@ TEST(RoomProperties, WithTheMissingRoomAddedItFits) {
   }
 }
 
+TEST(RoomProperties, EdgesLieBetweenPointsOfWhichOneIsOnTheLand) {
+  for_each_seed(300, [](std::mt19937_64& random, int) {
+    const Region land = random_land(random);
+    const Distances distances(land);
+    const LandEdges edges(land);
+    for (int i = 0; i < 50; ++i) {
+      const Point a{uniform(random, -50, 50), uniform(random, -50, 50)};
+      const double reach = any_of(random, 0, 1) == 0 ? 2 : 40;
+      const Point b = a + Point{uniform(random, -reach, reach), uniform(random, -reach, reach)};
+      EXPECT_EQ(edges.lie_between(a, b), (distances.of(a) < 0) != (distances.of(b) < 0));
+      EXPECT_EQ(edges.contains(a), distances.of(a) < 0);
+    }
+  });
+}
+
 TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
   for_each_seed(12, [&](std::mt19937_64& random, int) {
     const int kind = any_of(random, 0, 2);

@@ -57,13 +57,24 @@ std::vector<std::vector<std::size_t>> piece_indices_by_line(const std::vector<or
   return out;
 }
 
+/// Lands as wide that their jumps are about as long as those worth trying, or half as long again.
+std::vector<std::size_t> lands_worth_trying(const Machine& machine) {
+  const auto jump = static_cast<std::size_t>(std::ceil(2 * machine.radius_m / machine.width_m));
+  if (jump < 2) return {};
+  return {2 * jump, 3 * jump};
+}
+
 /// The route, with tours of several spacings to begin from. `tour`: the one that the settings ask for.
 PlannedRoute route_over(const SearchTask& task, const std::vector<order::WorkedLine>& lines,
                         const order::Tour& tour) {
   std::vector<order::Tour> given{tour};
-  if (task.settings.route.order == TrackOrder::kBest)
+  const double width_m = task.machine.width_m;
+  if (task.settings.route.order == TrackOrder::kBest) {
     for (const std::size_t jump : jumps_worth_trying(task.machine))
-      given.push_back(order::skip_tour(lines, task.field, task.machine.width_m, jump));
+      given.push_back(order::skip_tour(lines, task.field, width_m, jump));
+    for (const std::size_t land : lands_worth_trying(task.machine))
+      given.push_back(order::land_tour(lines, task.field, width_m, land));
+  }
   return planned_route(
       {task.field, task.machine, task.settings, task.headland, task.ground.body, task.turning_land}, lines,
       given);

@@ -33,8 +33,8 @@ std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& ca
 /// settings ask for one, otherwise as order::best_tour() or order::skip_tour() say.
 Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
 
-/// What no route over the tracks of a candidate and the headland passes takes less than. `tour` and `plan`: of
-/// driven_tracks() and the plan with its route.
+/// What no route over the tracks of a candidate and the headland passes takes less than. `tour` and `plan`:
+/// of driven_tracks() and the plan with its route.
 RouteProof proof_of_route(const SearchTask& task, const Candidate& candidate, const order::Tour& tour,
                           const Plan& plan);
 

@@ -130,8 +130,7 @@ Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const
   TrackGround ground = track_ground(plan, found.best);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
   plan.proof = whole_proof(task, found, plan);
-  if (plan.route.planned())
-    plan.route.proof = proof_of_route(task, found.best, draft.driven.tour, plan);
+  if (plan.route.planned()) plan.route.proof = proof_of_route(task, found.best, draft.driven.tour, plan);
   context.report();
   add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);

@@ -67,11 +67,17 @@ double DrivingGround::lacking_along_m(const SteeredPath& path) const {
 
 double DrivingGround::over_crop_m(const SteeredPath& path) const {
   double out = 0;
+  std::optional<Point> last;
+  bool over = false;
   for (const SteeredStretch& stretch : path) {
     if (!(stretch.length_m > 0)) continue;
     const double steps = std::ceil(stretch.length_m / kCropStep_m), each_m = stretch.length_m / steps;
-    for (double step = 0; step < steps; ++step)
-      if (crop_.contains(pose_after(stretch, (step + 0.5) * each_m).at)) out += each_m;
+    for (double step = 0; step < steps; ++step) {
+      const Point at = pose_after(stretch, (step + 0.5) * each_m).at;
+      over = last ? over != crop_.lie_between(*last, at) : crop_.contains(at);
+      if (over) out += each_m;
+      last = at;
+    }
   }
   return out;
 }

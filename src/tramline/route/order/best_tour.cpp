@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tramline/route/order/land_pattern.h"
 #include "tramline/route/order/shorten.h"
 #include "tramline/route/order/skip_pattern.h"
 #include "tramline/route/order/tours.h"
@@ -119,6 +120,22 @@ class Search {
   std::vector<Tour> by_nearest_;
 };
 
+/// Block by block. `pattern(tracks)`: the order of so many neighbouring tracks.
+template <class Pattern>
+Tour patterned_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m,
+                    const Pattern& pattern) {
+  if (lines.empty()) return {};
+  const HopGround ground(field, kFar_widths * width_m);
+  HopCosts costs(lines, ground);
+  std::vector<Block> blocks;
+  for (const Block& block : blocks_of(lines, width_m)) {
+    Block ordered;
+    for (const std::size_t place : pattern(block.size())) ordered.push_back(block[place]);
+    blocks.push_back(std::move(ordered));
+  }
+  return block_by_block(blocks, costs);
+}
+
 }  // namespace
 
 Tour best_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m) {
@@ -127,16 +144,13 @@ Tour best_tour(const std::vector<WorkedLine>& lines, const Field& field, double 
 }
 
 Tour skip_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t jump) {
-  if (lines.empty()) return {};
-  const HopGround ground(field, kFar_widths * width_m);
-  HopCosts costs(lines, ground);
-  std::vector<Block> blocks;
-  for (const Block& block : blocks_of(lines, width_m)) {
-    Block skipping;
-    for (const std::size_t place : skip_pattern(block.size(), jump)) skipping.push_back(block[place]);
-    blocks.push_back(std::move(skipping));
-  }
-  return block_by_block(blocks, costs);
+  return patterned_tour(lines, field, width_m,
+                        [jump](std::size_t tracks) { return skip_pattern(tracks, jump); });
+}
+
+Tour land_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t land) {
+  return patterned_tour(lines, field, width_m,
+                        [land](std::size_t tracks) { return land_pattern(tracks, land); });
 }
 
 std::vector<TrackPiece> pieces_on(const Tour& tour, const std::vector<WorkedLine>& lines) {

@@ -26,6 +26,10 @@ Tour best_tour(const std::vector<WorkedLine>& lines, const Field& field, double 
 /// best_tour(), jump ≥ 1.
 Tour skip_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t jump);
 
+/// Block by block, and so on each side of an obstacle by itself, each in the order of land_pattern().
+/// Otherwise as block_by_block(). Preconditions: those of best_tour(), land ≥ 1.
+Tour land_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t land);
+
 /// The pieces of the lines as the tour drives them.
 std::vector<TrackPiece> pieces_on(const Tour& tour, const std::vector<WorkedLine>& lines);
 

@@ -18,7 +18,8 @@ constexpr std::size_t kMostMeasured = 4;
 /// A hop farther than so many times the width of a turn is more than a turn.
 constexpr double kFar_turns = 3;
 
-/// The ways on which the implement is lifted, and driven in line and lowered: before a manoeuvre and after it.
+/// The ways on which the implement is lifted, and driven in line and lowered: before a manoeuvre and after
+/// it.
 struct StraightPaths {
   SteeredPath before, after;
 };

@@ -62,4 +62,18 @@ bool LandEdges::contains(Point p) const {
   return inside;
 }
 
+bool LandEdges::lie_between(Point a, Point b) const {
+  bool odd = false;
+  const Point way = b - a;
+  grid().each_meeting({std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)},
+                      [&](std::size_t i) {
+                        const EdgeIndex::Edge& edge = edges()[i];
+                        if ((cross(way, edge.from - a) > 0) == (cross(way, edge.to - a) > 0)) return;
+                        const Point along = edge.to - edge.from;
+                        if ((cross(along, a - edge.from) > 0) != (cross(along, b - edge.from) > 0))
+                          odd = !odd;
+                      });
+  return odd;
+}
+
 }  // namespace tramline
