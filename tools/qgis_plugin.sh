@@ -11,6 +11,8 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$(dirname "$zip_file")" "$work/tramline_processing"
 cp -r qgis/tramline_processing LICENSE "$work"
 mv "$work/LICENSE" "$work/tramline_processing/"
+version=$(sed -n 's/^project(tramline VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+sed -i "s/@VERSION@/$version/" "$work/tramline_processing/metadata.txt"
 find "$work" -name __pycache__ -prune -exec rm -rf {} +
 find "$work" -exec touch -d '2020-01-01 00:00:00 UTC' {} +
 rm -f "$zip_file"

@@ -7,10 +7,12 @@ import os
 import pathlib
 import signal
 import stat
+import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import zipfile
 
 # The modules below `program` alone: the package itself is loaded by QGIS.
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tramline_processing"))
@@ -179,11 +181,18 @@ class Program(unittest.TestCase):
             version_of("/bin/ls")
 
 
-class Metadata(unittest.TestCase):
-    def test_the_version_is_that_of_the_project(self):
-        metadata = (ROOT / "qgis/tramline_processing/metadata.txt").read_text()
-        version = (ROOT / "CMakeLists.txt").read_text().split("project(tramline VERSION ")[1].split()[0]
-        self.assertIn(f"\nversion={version}\n", metadata)
+class Zip(unittest.TestCase):
+    def test_holds_all_of_the_plugin_in_the_version_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("one.zip", "two.zip"):
+                subprocess.run([ROOT / "tools/qgis_plugin.sh", f"{folder}/{name}"], check=True, stdout=subprocess.DEVNULL)
+            self.assertEqual(pathlib.Path(folder, "one.zip").read_bytes(), pathlib.Path(folder, "two.zip").read_bytes())
+            with zipfile.ZipFile(f"{folder}/one.zip") as plugin:
+                names = plugin.namelist()
+                metadata = plugin.read("tramline_processing/metadata.txt").decode()
+        own = [file.relative_to(ROOT / "qgis").as_posix() for file in (ROOT / "qgis/tramline_processing").rglob("*.py")]
+        self.assertLessEqual({*own, "tramline_processing/LICENSE", "tramline_processing/icon.svg"}, set(names))
+        self.assertIn(f"\nversion={version_of(find_program(TRAMLINE)).split()[1]}\n", metadata)
 
 
 if __name__ == "__main__":
