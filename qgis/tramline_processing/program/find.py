@@ -34,7 +34,7 @@ def find_program(chosen):
 
 
 def version_of(program):
-    """"tramline 0.1.0", by asking the program."""
+    """Its name and version, by asking the program."""
     try:
         done = subprocess.run(
             [program, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=30
