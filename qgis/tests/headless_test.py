@@ -181,7 +181,9 @@ class ByQgisProcess(unittest.TestCase):
         self.assertEqual([file.name for file in self.folder.iterdir()], ["nothing.geojson"])
 
     def test_a_bad_program(self):
-        for path, pattern in (("/nowhere/tramline", "There is no program '/nowhere/tramline'. Choose it under"), ("/bin/ls", "is not the program tramline")):
+        for path, pattern in (
+            ("/nowhere/tramline", "There is no program '/nowhere/tramline'. Choose it under"), ("/bin/ls", "is not the program tramline"),
+        ):
             done = qgis_process(
                 *words_of("plan", {"FIELD": EXAMPLES / "narrow-parcel.geojson", "WIDTH": 6, "OUTPUT": self.folder / "p.gpkg"}),
                 environment={**ENVIRONMENT, "TRAMLINE": path},
@@ -333,6 +335,18 @@ class InAProject(unittest.TestCase):
         self.assertTrue(good)
         self.assertEqual(drawn["OVERLAP_M2"], found["OVERLAP_M2"])
         self.assertIsNotNone(self.project.layerTreeRoot().findGroup("Plan fields: the mill"))
+
+    def test_temporary_outputs(self):
+        parcels = self.layer(f"{EXAMPLES / 'two-farms.gpkg'}|layername=parcels", "parcels")
+        parameters = {"FIELD": parcels, "WIDTH": 24, "PRICES": "0.02,0.1,1", "OUTPUT": "TEMPORARY_OUTPUT"}
+        good, found = self.run_algorithm("batch", parameters)
+        self.assertTrue(good, self.feedback.textLog())
+        self.assertTrue(pathlib.Path(found["OUTPUT"], "fields.csv").exists())
+        self.assertEqual(len(self.project.mapLayersByName("fields")), 1)
+        self.assertEqual(len(self.project.mapLayersByName("tracks")), 1)
+        good, again = self.run_algorithm("plan", {**parameters, "AIM": 1})
+        self.assertTrue(good, self.feedback.textLog())
+        self.assertAlmostEqual(again["OVERLAP_M2"], found["OVERLAP_M2"], 6)
 
     def test_gates_are_given_in_the_crs_of_the_project(self):
         field = self.layer(EXAMPLES / "narrow-parcel.geojson")

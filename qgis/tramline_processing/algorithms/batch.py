@@ -75,7 +75,7 @@ class Batch(TramlineAlgorithm):
         machine = machine_options(self, parameters, context)
         named = self.parameterAsString(parameters, "ID_FIELD", context)
         resume = self.parameterAsBoolean(parameters, "RESUME", context)
-        folder = self.parameterAsString(parameters, OUTPUT, context)
+        folder = self.parameterAsFileOutput(parameters, OUTPUT, context)
         parcels = given_layer(self, parameters, FIELD, context, feedback, named)
         if resume and parcels.file.startswith(self.folder):
             raise QgsProcessingException(

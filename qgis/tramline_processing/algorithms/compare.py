@@ -12,6 +12,7 @@ from qgis.core import (
 from .base import TramlineAlgorithm
 from .layers import given_layer, is_one_field
 from .parameters import (
+    GPKG_ENDING,
     FIELD,
     OUTPUT,
     PICTURE,
@@ -28,7 +29,6 @@ from .parameters import (
     number_of,
     obstacle_options,
 )
-from .planning import GPKG_ENDING
 from .results import PLAN_LAYERS, load_file, load_table
 
 _POINTS = ("given", "knee", "overlap", "uncovered", "turns")

@@ -11,6 +11,7 @@ from qgis.core import (
 from .base import TramlineAlgorithm
 from .layers import given_layer
 from .parameters import (
+    GPKG_ENDING,
     FIELD,
     GPKG_FILTER,
     OUTPUT,
@@ -25,7 +26,6 @@ from .parameters import (
     number,
     number_of,
 )
-from .planning import GPKG_ENDING
 from .results import COVERAGE_LAYERS, load_file
 
 _LAYERS = (

@@ -22,7 +22,7 @@ from .layers import given_layer
 FIELD, ID_FIELD, OUTPUT, PICTURE = "FIELD", "ID_FIELD", "OUTPUT", "PICTURE"
 OPERATIONS = ("general", "seeding", "spraying", "spreading", "tillage", "mowing", "harvest", "robot weeding", "drone")
 GPKG_FILTER, PICTURE_FILTER = "GeoPackage (*.gpkg)", "Pictures (*.png *.svg *.pdf)"
-PICTURE_ENDINGS = (".png", ".svg", ".pdf")
+GPKG_ENDING, PICTURE_ENDINGS = ".gpkg", (".png", ".svg", ".pdf")
 
 
 def advanced(parameter):

@@ -6,7 +6,7 @@ from .base import TramlineAlgorithm
 from .layers import given_layer, is_one_field
 from .parameters import (
     FIELD,
-    GPKG_FILTER,
+    GPKG_ENDING,
     ID_FIELD,
     OUTPUT,
     PICTURE,
@@ -18,10 +18,8 @@ from .parameters import (
     add_machine,
     add_numbers,
     add_obstacles,
-    add_operation,
     add_plan_outputs,
     add_run,
-    chosen,
     further_options,
     gate_options,
     machine_options,
@@ -107,8 +105,3 @@ class Planning(TramlineAlgorithm):
         if whole:
             out.update({name: sum(one[key] for one in whole) for name, _, key in _WHOLE_SUMS})
         return out
-
-
-GPKG_ENDING = GPKG_FILTER[GPKG_FILTER.index("*") + 1 : -1]
-
-__all__ = ["Planning", "add_operation", "chosen"]

@@ -4,6 +4,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterFile
 
 from .base import TramlineAlgorithm
 from .parameters import (
+    GPKG_ENDING,
     OUTPUT,
     PICTURE,
     PICTURE_ENDINGS,
@@ -17,7 +18,6 @@ from .parameters import (
     number,
     number_of,
 )
-from .planning import GPKG_ENDING
 from .results import PLAN_LAYERS, load_file
 
 _SUMS = (
