@@ -61,6 +61,10 @@ gallery: program ## plan 24 real fields and draw them on one contact sheet, outs
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline_gallery
 	tools/gallery.sh $(RELEASE)
 
+.PHONY: qgis-plugin
+qgis-plugin: packages ## zip the plugin for QGIS, to be installed from there: out/tramline_processing.zip
+	tools/qgis_plugin.sh out/tramline_processing.zip
+
 .PHONY: benches
 benches: build
 	cmake --build $(RELEASE) -j $(JOBS) --target benches
@@ -105,7 +109,7 @@ help: ## show this list
 
 # --- set-up -------------------------------------------------------------------------------------
 
-.PHONY: packages packages-program packages-layout packages-test packages-lint
+.PHONY: packages packages-program packages-layout packages-test packages-qgis packages-lint
 packages: ## install the Debian packages that are missing
 	@tools/install-packages.sh program build
 packages-program:
@@ -114,6 +118,8 @@ packages-layout:
 	@tools/install-packages.sh layout
 packages-test:
 	@tools/install-packages.sh program build layout test
+packages-qgis:
+	@tools/install-packages.sh program build qgis
 packages-lint:
 	@tools/install-packages.sh program build lint
 
@@ -140,7 +146,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
   long-turns-24 long-route-3 long-route-6 long-route-24 long-whole-plans long-maps long-order \
-  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-slow long-planted long-batch long-batch-dask \
+  long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-slow long-planted long-batch long-batch-dask long-qgis \
   long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
@@ -256,7 +262,9 @@ long-batch-dask: packages-test build ## 100,000 fields on Dask, workers killed f
 	PYTHONPATH=$(RELEASE)/python $(LIMIT) /usr/bin/python3 -B python/tests/kills/batch_kills.py --tramline $(TRAMLINE) \
 	  --parcels $(TRAMLINE_DATA)/fields/fields-all.geojson --fields 100000 --kills 5
 
-# Refused fields are part of the register: they are listed in the output and are no failure.
+long-qgis: packages-qgis qgis-plugin program ## the plugin in QGIS without windows: all algorithms, bad input, cancelled, layers of projects
+	TRAMLINE=$(TRAMLINE) PLUGIN=out/tramline_processing.zip $(LIMIT) /usr/bin/python3 -B qgis/tests/headless_test.py
+
 long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost
 	$(LIMIT) tests/server/kills/serve_kills.py --tramline $(TRAMLINE) --kills 300
 
@@ -270,6 +278,7 @@ long-planted: program ## changes planted into plan files, each into every plan; 
 long-page: build packages-test ## the page in a browser: whole jobs, registers of 39,200 parcels, 300 fields, live work, axe-core
 	TRAMLINE=$(TRAMLINE) TRAMLINE_LONG=1 node --test --test-concurrency=1 $(foreach part,whole compare register farm live axe,tests/page/$(part).test.mjs)
 
+# Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included
 	mkdir -p out
 	$(LIMIT) $(TRAMLINE) plan $(TRAMLINE_DATA)/fields/fields-all.geojson --all --width 6 --radius 6 --json \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that tramline needs, and only those that are missing.
-# Usage: install-packages.sh [program] [build] [layout] [test] [lint]     (default: program build)
+# Usage: install-packages.sh [program] [build] [layout] [test] [qgis] [lint]     (default: program build)
 set -euo pipefail
 
 program_packages=(
@@ -22,7 +22,9 @@ command -v npm >/dev/null || build_packages+=(npm)
 # Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page, the others read routes.
 test_packages=(gpsd gpsd-clients chromium gpsbabel python3-yaml python3-jsonschema)
 # The Python package is tested with what its users have beside it.
-test_packages+=(python3-pytest python3-hypothesis python3-geopandas python3-shapely python3-distributed mypy)
+test_packages+=(python3-pytest python3-hypothesis python3-geopandas python3-shapely python3-matplotlib python3-distributed mypy)
+# The plugin for QGIS is tested in QGIS by a long test alone: it is large.
+qgis_packages=(qgis python3-qgis)
 # What `make layout` and `make format` need: the quick part of `make lint`.
 layout_packages=(clang-format-14 shellcheck)
 # What `make lint` and the long tests need besides.
@@ -36,9 +38,10 @@ for list in "$@"; do
     build) wanted+=("${build_packages[@]}") ;;
     layout) wanted+=("${layout_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
+    qgis) wanted+=("${qgis_packages[@]}") ;;
     lint) wanted+=("${layout_packages[@]}" "${lint_packages[@]}") ;;
     *)
-      echo "install-packages.sh: no list named '$list' (there are: program, build, layout, test, lint)" >&2
+      echo "install-packages.sh: no list named '$list' (there are: program, build, layout, test, qgis, lint)" >&2
       exit 2
       ;;
   esac

@@ -6,13 +6,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <fstream>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
+#include "batch/digest.h"
 #include "batch/summary.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/plan_metadata.h"
@@ -22,26 +22,35 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// FNV-1a, 64 bits, of bytes that come piece by piece.
-class Digest {
- public:
-  void add(const char* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-      state_ = (state_ ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3;
-  }
-  std::string text() const { return fmt::format("{:016x}", state_); }
+/// Rings of one feature as bytes.
+void add_feature(const RawFeature& feature, Digest& digest) {
+  digest.add(&feature.fid, sizeof feature.fid);
+  digest.add(feature.id + '\n');
+  for (const RawPolygon& polygon : feature.polygons)
+    for (const RawRing& ring : polygon.rings) {
+      const std::size_t corners = ring.points.size();
+      digest.add(&corners, sizeof corners);
+      for (const Point& point : ring.points) {
+        digest.add(&point.x, sizeof point.x);
+        digest.add(&point.y, sizeof point.y);
+      }
+    }
+}
 
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325;
-};
-
-/// Of the bytes of a file; of what is no plain file (a folder, a database) of nothing.
-std::string digest_of_file(const std::string& file) {
+/// Of all files that the parcels are read from; where there are none, as in a database, of the parcels
+/// themselves.
+std::string digest_of_parcels(io::FeatureStream& stream) {
   Digest out;
-  std::ifstream stream(file, std::ios::binary);
-  std::vector<char> piece(1 << 16);
-  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
-    out.add(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  const std::vector<std::string> files = stream.files();
+  for (const std::string& file : files) {
+    out.add(std::filesystem::path(file).filename().string() + '\n');
+    out.add_file(file);
+  }
+  if (!files.empty()) return out.text();
+  constexpr long long kAtATime = 1000;
+  for (long long first = 0; first < stream.count(); first += kAtATime)
+    for (const RawLayer& layer : stream.read(first, kAtATime).layers)
+      for (const RawFeature& feature : layer.features) add_feature(feature, out);
   return out.text();
 }
 
@@ -55,23 +64,23 @@ std::string digest_of_request(const ChunkRequest& request) {
   for (const auto& [key, value] : io::metadata_of(asked)) text += key + '=' + value + '\n';
   const PlanOptions& o = request.plan;
   for (const std::string& word : {o.ab, o.guide_file, o.guide_where, o.start, o.end}) text += word + '\n';
-  for (const std::string& file : {o.guide_file, o.start, o.end})
-    if (!file.empty()) text += digest_of_file(file) + '\n';
   Digest out;
-  out.add(text.data(), text.size());
+  out.add(text);
+  for (const std::string& file : {o.guide_file, o.start, o.end})
+    if (!file.empty()) out.add_file(file);
   return out.text();
 }
 
-ordered_json description(const BatchRequest& request, const ChunkRequest& chunk, long long fields) {
+ordered_json description(const BatchRequest& request, const ChunkRequest& chunk, io::FeatureStream& parcels) {
   return {{"format_version", 1},
           {"program", TRAMLINE_VERSION},
           {"parcels", request.field.file},
           {"layer", request.field.layer},
           {"where", request.field.where},
           {"crs", request.field.crs},
-          {"fields", fields},
+          {"fields", parcels.count()},
           {"fields_per_chunk", request.fields_per_chunk},
-          {"contents", digest_of_file(request.field.file)},
+          {"contents", digest_of_parcels(parcels)},
           {"options", digest_of_request(chunk)}};
 }
 
@@ -90,7 +99,7 @@ Batch::Batch(BatchRequest request, BatchFolder::Start start)
       chunk_{request_.field, request_.plan, AskedPlans(request_.plan)},
       folder_(request_.folder),
       stream_(query_of(request_.field)) {
-  folder_.begin(description(request_, chunk_, fields()), start);
+  folder_.begin(description(request_, chunk_, stream_), start);
 }
 
 long long Batch::chunks() const { return (fields() + per_chunk() - 1) / per_chunk(); }

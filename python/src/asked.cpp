@@ -6,6 +6,7 @@
 #include "options/drive_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
+#include "options/search_seconds.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::python {
@@ -14,26 +15,29 @@ namespace {
 using app::CommandOptions;
 using app::PlanDefaults;
 
-void declare_run(CommandOptions& command, PlanRequest& request) {
-  command.add_option("--seconds", request.seconds, "End the search after so many seconds.")
-      .takes("S")
-      .positive();
+/// Of a request that ends after some time, and runs on some threads.
+template <class Request>
+void declare_run(CommandOptions& command, Request& request) {
+  app::add_seconds_option(command, request.seconds);
   app::add_threads_option(command, request.threads);
 }
 
-void declare_plan(CommandOptions& command, PlanRequest& request, PlanDefaults defaults) {
+void declare_plan(CommandOptions& command, PlanRequest& request) {
   app::add_field_options(command, request.field);
-  app::add_plan_options(command, request.plan, defaults);
-  if (defaults == PlanDefaults::kWhole) app::add_land_options(command, request.land);
+  app::add_plan_options(command, request.plan, PlanDefaults::kWhole);
+  app::add_land_options(command, request.land);
+  declare_run(command, request);
+}
+
+void declare_compare(CommandOptions& command, CompareRequest& request) {
+  app::add_compare_options(command, request.options);
   declare_run(command, request);
 }
 
 void declare_price(CommandOptions& command, PriceRequest& request) {
-  command.add_option("LINES", request.lines.file, "The centre lines.").required();
-  command.add_option("--lines-layer", request.lines.layer, "Read this layer of the lines.").takes("NAME");
-  command.add_option("--lines-where", request.lines.where, "Read only lines that match.").takes("FILTER");
-  app::add_field_choice(command, request.field);
-  app::add_plan_options(command, request.plan);
+  app::add_price_options(command, request.options);
+  declare_run(command, request);
+  command.option("--seconds").needs(command.option("--compare"));
 }
 
 void declare_evaluate(CommandOptions& command, EvaluateRequest& request) {
@@ -51,27 +55,36 @@ void declare_check(CommandOptions& command, app::FieldOptions& field) {
   app::add_field_choice(command, field);
 }
 
-PlanRequest parsed(const Words& words, const Features& features, PlanDefaults defaults) {
+}  // namespace
+
+PlanRequest plan_request(const Words& words, const Features& features) {
   PlanRequest out;
   app::OptionParser parser("plan");
-  declare_plan(parser.command(), out, defaults);
+  declare_plan(parser.command(), out);
   parser.parse(words);
   out.field.in_memory = features;
   app::take_conventions(parser.command(), out.plan);
   // Headlands go round whole fields.
   const bool part_only = !out.land.only_file.empty() || !out.land.done_files.empty();
-  if (defaults == PlanDefaults::kWhole && !part_only) app::take_whole_plan(parser.command(), out.plan);
+  if (!part_only) app::take_whole_plan(parser.command(), out.plan);
   return out;
 }
 
-}  // namespace
-
-PlanRequest plan_request(const Words& words, const Features& features) {
-  return parsed(words, features, PlanDefaults::kWhole);
-}
-
-PlanRequest compare_request(const Words& words, const Features& features) {
-  return parsed(words, features, PlanDefaults::kTracks);
+CompareRequest compare_request(const Words& words, const Features& features) {
+  CompareRequest out;
+  app::OptionParser parser("compare");
+  declare_compare(parser.command(), out);
+  parser.parse(words);
+  out.options.field.in_memory = features;
+  if (!out.options.machines.asked()) {
+    out.plans = app::asked_comparison(parser.command(), out.options);
+    return out;
+  }
+  if (!out.options.prices.empty())
+    throw bad_input(
+        "several machines are compared by their whole routes: leave out --for, or --widths and --machines");
+  out.machines = app::asked_machines(parser.command(), out.options);
+  return out;
 }
 
 PriceRequest price_request(const Words& words, const Features& features, const Features& lines) {
@@ -79,9 +92,9 @@ PriceRequest price_request(const Words& words, const Features& features, const F
   app::OptionParser parser("price");
   declare_price(parser.command(), out);
   parser.parse(words);
-  app::take_conventions(parser.command(), out.plan);
-  out.field.in_memory = features;
-  out.lines.in_memory = lines;
+  app::take_conventions(parser.command(), out.options.plan);
+  out.options.field.in_memory = features;
+  out.options.lines.in_memory = lines;
   return out;
 }
 
@@ -106,13 +119,14 @@ app::FieldOptions check_request(const Words& words, const Features& features) {
 std::vector<app::OptionText> options_of(const std::string& command) {
   app::OptionParser parser(command);
   PlanRequest plan;
+  CompareRequest compare;
   PriceRequest price;
   EvaluateRequest evaluate;
   app::FieldOptions check;
   if (command == "plan")
-    declare_plan(parser.command(), plan, PlanDefaults::kWhole);
+    declare_plan(parser.command(), plan);
   else if (command == "compare")
-    declare_plan(parser.command(), plan, PlanDefaults::kTracks);
+    declare_compare(parser.command(), compare);
   else if (command == "price")
     declare_price(parser.command(), price);
   else if (command == "evaluate")

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "options/compare_options.h"
 #include "options/option_parser.h"
+#include "options/price_options.h"
 #include "request/asked_plans.h"
 #include "request/drive_request.h"
 #include "request/field_input.h"
@@ -34,13 +36,21 @@ struct PlanRequest {
 
 /// What `tramline plan` would plan for these words. Throws kBadInput.
 PlanRequest plan_request(const Words& words, const Features& features);
-/// What `tramline compare` would compare: tracks alone. Throws kBadInput.
-PlanRequest compare_request(const Words& words, const Features& features);
+/// What `tramline compare` would compare: the plans of tracks alone for one machine, or the whole plans for
+/// several. Throws kBadInput.
+struct CompareRequest {
+  app::CompareOptions options;
+  std::optional<app::AskedComparison> plans;  ///< for one machine
+  std::optional<app::AskedMachines> machines;
+  std::optional<double> seconds;
+  int threads = 0;
+};
+CompareRequest compare_request(const Words& words, const Features& features);
 
 struct PriceRequest {
-  app::LinesOptions lines;
-  app::FieldOptions field;
-  app::PlanOptions plan;
+  app::PriceOptions options;
+  std::optional<double> seconds;
+  int threads = 0;
 };
 PriceRequest price_request(const Words& words, const Features& features, const Features& lines);
 

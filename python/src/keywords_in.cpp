@@ -28,7 +28,7 @@ std::string with_keywords(const std::string& message) {
     while (end < message.size() && (is_letter(message[end]) || message[end] == '-')) ++end;
     std::string name = message.substr(at + 2, end - at - 2);
     std::replace(name.begin(), name.end(), '-', '_');
-    out += name;
+    out += name == "for" ? "for_" : name;  // a word of Python itself
     at = end;
   }
   return out;

@@ -57,6 +57,8 @@ void declare_plan(py::module_& module) {
   py::class_<PlanObject>(module, "Plan")
       .def_property_readonly("json", &json_of)
       .def_property_readonly("crs", &crs_of)
+      .def_property_readonly("comparison", &comparison_of)
+      .def_property_readonly("planned", &planned_beside)
       .def(
           "save",
           [](const PlanObject& object, const std::string& file) { io::write_plan(object.plan, file); },
@@ -72,6 +74,9 @@ void declare_plan(py::module_& module) {
             progress, [&](const Progress& told) { return planned(plan_request(words, features), told); });
       },
       py::arg("words"), py::arg("features") = nullptr, py::arg("progress") = nullptr);
+  module.def(
+      "require_plannable", [](const Words& words) { require_plannable(plan_request(words, nullptr)); },
+      py::arg("words"), Unlocked());
   module.def("read", &read, py::arg("file"), py::arg("id") = "", Unlocked());
   module.def(
       "export_layer",
@@ -84,7 +89,8 @@ void declare_plan(py::module_& module) {
 void declare_comparison(py::module_& module) {
   py::class_<ComparisonObject>(module, "Comparison")
       .def_readonly("json", &ComparisonObject::json)
-      .def_readonly("csv", &ComparisonObject::csv);
+      .def_readonly("csv", &ComparisonObject::csv)
+      .def("plan", &plan_at, Unlocked());
   module.def(
       "compare",
       [](const Words& words, const std::shared_ptr<RawDataset>& features, const PyProgress& progress) {
@@ -131,8 +137,13 @@ void declare_judgements(py::module_& module) {
   module.def(
       "price",
       [](const Words& words, const std::shared_ptr<RawDataset>& features,
-         const std::shared_ptr<RawDataset>& lines) { return priced(price_request(words, features, lines)); },
-      py::arg("words"), py::arg("features") = nullptr, py::arg("lines") = nullptr, Unlocked());
+         const std::shared_ptr<RawDataset>& lines, const PyProgress& progress) {
+        return interruptible(progress, [&](const Progress& told) {
+          return priced(price_request(words, features, lines), told);
+        });
+      },
+      py::arg("words"), py::arg("features") = nullptr, py::arg("lines") = nullptr,
+      py::arg("progress") = nullptr);
   module.def("options", [](const std::string& command) {
     std::vector<std::tuple<std::string, std::string, std::string>> out;
     for (const app::OptionText& option : options_of(command))

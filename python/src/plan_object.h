@@ -17,6 +17,7 @@ struct PlanObject {
   Plan plan;
   std::vector<Skipped> skipped;
   double seconds = 0;
+  std::optional<Plan> planned{};  ///< of lines that were compared with a plan of their field
 };
 
 struct EvaluationObject {
@@ -25,7 +26,7 @@ struct EvaluationObject {
 };
 
 struct ComparisonObject {
-  TradeOff found;
+  std::optional<TradeOff> found;  ///< of one machine
   std::string json;
   std::string csv;
 };

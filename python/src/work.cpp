@@ -4,9 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "options/search_seconds.h"
 #include "report/check_report.h"
 #include "report/evaluations.h"
 #include "report/front_report.h"
+#include "report/job_cost_report.h"
 #include "report/plan_report.h"
 #include "report/price_report.h"
 #include "report/report_parts.h"
@@ -34,9 +36,9 @@ class Clock {
 
 /// With a time limit, which counts from now.
 Progress limited(const Progress& progress, std::optional<double> seconds) {
-  return [progress, seconds, clock = Clock()](int done, int total) {
+  return [progress, time = app::SearchTime(seconds)](int done, int total) {
     const Demand demand = progress ? progress(done, total) : Demand::kGoOn;
-    return seconds && clock.seconds() >= *seconds ? Demand::kEnd : demand;
+    return time.is_over() ? Demand::kEnd : demand;
   };
 }
 
@@ -74,37 +76,104 @@ std::string json_of(const PlanObject& object) {
   return text_of(app::with_field_names(object.plan.field, figures));
 }
 
-ComparisonObject compared(const PlanRequest& request, const Progress& progress) {
-  app::AskedPlans asked(request.plan);
-  app::FieldInput input = app::load_fields(request.field);
-  asked.read_files(request.plan, request.land, input);
+void require_plannable(const PlanRequest& request) { app::AskedPlans(request.plan); }
+
+namespace {
+
+/// What each machine takes on the field; a machine that the field cannot be planned with has the reason.
+ComparisonObject compared_machines(const CompareRequest& request, const Progress& progress) {
+  const app::AskedMachines& asked = *request.machines;
+  for (const Machine& machine : asked.machines) validate_request(machine, asked.objective, asked.settings);
+  const app::FieldInput input = app::load_fields(request.options.field);
+  const Field& field = only_field(input);
+  const std::string& crs = field.source.input_crs;
+  const std::optional<GuideLine> guide = app::guide_of(request.options.plan, crs);
+  const app::Gates gates = app::gates_of(request.options.plan, crs);
+  std::vector<app::JobCost> jobs;
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Machine& machine : asked.machines) {
+    app::JobCost job{field.id, app::machine_text(machine), 0, 0, {}, {}};
+    try {
+      PlanSettings settings = app::settings_for(asked.settings, guide, field, machine);
+      app::place_gates(gates, field, settings);
+      job = app::job_cost(plan_field(field, machine, asked.objective, settings, request.threads,
+                                     limited(progress, request.seconds)));
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kBadInput) throw;
+      job.refusal = error.what();
+    }
+    rows.push_back(app::job_cost_json(job));
+    jobs.push_back(std::move(job));
+  }
+  ComparisonObject out;
+  out.json = text_of(app::with_field_names(field, {{"machines", rows}}));
+  out.csv = app::job_cost_csv(jobs);
+  return out;
+}
+
+}  // namespace
+
+ComparisonObject compared(const CompareRequest& request, const Progress& progress) {
+  if (request.machines) return compared_machines(request, progress);
+  const app::AskedPlans& asked = request.plans->plans;
+  const app::FieldInput input = app::load_fields(request.options.field);
   const Field& field = only_field(input);
   const PlanSettings settings = asked.settings_on(field);
-  require_straight_tracks(settings);
-  if (!settings.guide.empty()) throw bad_input("compare() chooses directions itself; leave out ab and guide");
   const Clock clock;
   ComparisonObject out;
   out.found = trade_off(field, asked.machine(), asked.objective(), settings, request.threads,
                         limited(progress, request.seconds));
-  const std::vector<Objective> nothing_else;
-  const app::Comparison comparison{field,        asked.machine(), settings,           out.found.front,
-                                   nothing_else, clock.seconds(), out.found.cut_short};
+  const app::Comparison comparison{
+      field,           asked.machine(),     settings, out.found->front, request.plans->prices,
+      clock.seconds(), out.found->cut_short};
   out.json = text_of(app::with_field_names(field, app::compare_json(comparison, input.skipped)));
-  out.csv = app::front_csv(out.found.front);
+  out.csv = app::front_csv(out.found->front);
   return out;
 }
 
-PlanObject priced(const PriceRequest& request) {
+PlanObject plan_at(const ComparisonObject& object, std::size_t point) {
+  if (!object.found)
+    throw bad_input("machines were compared by what they take; their plans are made by plan()");
+  const std::size_t points = object.found->front.points.size();
+  if (point < 1 || point > points)
+    throw bad_input("there is no plan " + std::to_string(point) + ": there are 1 to " +
+                    std::to_string(points));
+  PlanObject out;
+  out.plan = plan_of(*object.found, point - 1);
+  return out;
+}
+
+PlanObject priced(const PriceRequest& request, const Progress& progress) {
+  const app::PriceOptions& o = request.options;
   const Clock clock;
-  app::PriceInput input = app::price_input(request.lines, request.field, request.plan);
+  app::PriceInput input = app::price_input(o.lines, o.field, o.plan);
   validate_request(input.machine, input.objective, input.settings);
   PricedLines found =
       price_lines(input.field, input.machine, input.objective, input.lines, input.settings.clearance_m);
   PlanObject out;
   out.plan = std::move(found.plan);
+  if (o.compare) {
+    const PlanSettings settings = app::settings_for(
+        input.settings, app::guide_of(o.plan, input.field.source.input_crs), input.field, input.machine);
+    out.planned = plan_field(input.field, input.machine, input.objective, settings, request.threads,
+                             limited(progress, request.seconds));
+  }
   out.skipped = std::move(input.skipped);
   for (Skipped& line : found.skipped) out.skipped.push_back(std::move(line));
   out.seconds = clock.seconds();
+  return out;
+}
+
+std::string comparison_of(const PlanObject& object) {
+  if (!object.planned) return "";
+  const app::PricedPlans both{object.plan, &*object.planned, object.skipped, object.seconds};
+  return text_of(app::with_field_names(object.plan.field, app::price_json(both)));
+}
+
+std::optional<PlanObject> planned_beside(const PlanObject& object) {
+  if (!object.planned) return std::nullopt;
+  PlanObject out;
+  out.plan = *object.planned;
   return out;
 }
 

@@ -2,6 +2,7 @@
 // The work behind the functions of the package. No Python in here, so none of it needs the interpreter's
 // lock.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,10 +14,18 @@ namespace tramline::python {
 
 /// The plan that `tramline plan` makes. Throws Error.
 PlanObject planned(const PlanRequest& request, const Progress& progress);
-/// The plans that `tramline compare` compares. Throws Error.
-ComparisonObject compared(const PlanRequest& request, const Progress& progress);
-/// The plan that given lines are. Throws Error.
-PlanObject priced(const PriceRequest& request);
+/// Throws kBadInput for a machine, prices or settings with which no field could be planned.
+void require_plannable(const PlanRequest& request);
+/// The plans, or the machines, that `tramline compare` compares. Throws Error.
+ComparisonObject compared(const CompareRequest& request, const Progress& progress);
+/// A plan of the front, numbered from 1. Throws kBadInput where there is none of this number.
+PlanObject plan_at(const ComparisonObject& object, std::size_t point);
+/// The plan that given lines are, and the one that they are to be compared with. Throws Error.
+PlanObject priced(const PriceRequest& request, const Progress& progress);
+/// The JSON of `tramline price --compare`; empty where nothing was compared.
+std::string comparison_of(const PlanObject& object);
+/// The plan that lines were compared with.
+std::optional<PlanObject> planned_beside(const PlanObject& object);
 /// The drive of a log, or, where the request names none, of `plan`; a log is compared with it. Throws Error.
 EvaluationObject evaluated(const EvaluateRequest& request, const std::optional<Plan>& plan,
                            const std::string& plan_name);

@@ -35,9 +35,12 @@ def files_in(folder):
 def test_same_bytes_as_the_program(parcels, program, tmp_path):
     program("batch", *words(parcels, tmp_path / "program"), code=3)
     command = [sys.executable, "-m", "tramline.batch", *words(parcels, tmp_path / "dask"), "--workers", "2", "--json"]
-    done = subprocess.run(command, capture_output=True, text=True)
+    here = tmp_path / "here"
+    here.mkdir()
+    done = subprocess.run(command, capture_output=True, text=True, cwd=here)
     assert done.returncode == 3, done.stderr
     assert json.loads(done.stdout)["planned"] == 8
+    assert list(here.iterdir()) == [], "workers keep their files elsewhere"
     assert files_in(tmp_path / "dask") == files_in(tmp_path / "program")
 
 

@@ -31,6 +31,18 @@ def test_many_fields():
     assert again.drop(columns="geometry").equals(found.drop(columns=["geometry", "plan"]))
 
 
+def test_options_with_which_no_field_could_be_planned_are_refused_at_once(tmp_path):
+    frame = geopandas.GeoDataFrame(geometry=[sg.box(0, 0, 200, 100)])
+    with pytest.raises(tramline.InputError, match="width"):
+        tramline.plan_fields(frame, width=-6)
+    with pytest.raises(tramline.InputError, match="minimise"):
+        tramline.plan_fields(frame, width=6, minimise="everything")
+    with pytest.raises(tramline.InputError, match="none.toml"):
+        tramline.plan_fields(frame, machine=tmp_path / "none.toml")
+    with pytest.raises(tramline.InputError, match="wdith"):
+        tramline.plan_fields(frame, wdith=6)
+
+
 def test_many_fields_of_a_file(examples):
     found = tramline.plan_fields(examples / "two-farms.gpkg", layer="parcels", width=24, prices=PRICES)
     assert found.crs.to_epsg() == 25832
@@ -96,6 +108,51 @@ def test_lines_are_priced():
     # Two swaths of 12 m with their middles 11 m apart cover 23 m, one metre of it twice.
     assert plan.overlap_m2 == pytest.approx(200, abs=0.01)
     assert plan.uncovered_m2 == pytest.approx(0, abs=0.01)
+
+
+def test_lines_are_compared_with_a_plan():
+    lines = [sg.LineString([(0, 6), (200, 6)]), sg.LineString([(200, 17), (0, 17)])]
+    field = sg.box(0, 0, 200, 23)
+    assert tramline.price(lines, field, width=12).planned is None
+    priced = tramline.price(lines, field, width=12, compare=True, strategy="sweep")
+    # Lengthwise two swaths of 12 m are needed in any case, and they are 1 m too wide together.
+    assert priced.overlap_m2 == pytest.approx(200, abs=0.01)
+    assert priced.planned.tracks == 2 and priced.planned.overlap_m2 == pytest.approx(200, abs=0.01)
+    assert priced.difference["turns"] == 0 and priced.difference["overlap_m2"] == pytest.approx(0, abs=0.01)
+    # What only that plan has a use for is not ignored.
+    with pytest.raises(tramline.InputError, match="compare"):
+        tramline.price(lines, field, width=12, strategy="sweep")
+
+
+def test_comparison_names_winners_and_gives_plans():
+    cheap_turns = (0.02, 0.1, 0.001)
+    found = tramline.compare(FIELD, width=12, for_=[cheap_turns, "0.0001,0.0001,9"])
+    assert len(found.winners) == 2 and len(tramline.compare(FIELD, width=12, for_=cheap_turns).winners) == 1
+    fewest = min(point["turns"] for point in found.points)
+    assert found.points[found.winners[1]["point"] - 1]["turns"] == fewest
+    for point in found.points:
+        plan = found.plan(point["point"])
+        assert (plan.turns, plan.overlap_m2) == (point["turns"], pytest.approx(point["overlap_m2"], abs=1e-6))
+    with pytest.raises(tramline.InputError, match="there is no plan 0"):
+        found.plan(0)
+    with pytest.raises(tramline.InputError, match="ab"):
+        tramline.compare(FIELD, width=12, ab=((0, 0), (1, 1)))
+
+
+def test_machines_are_compared():
+    found = tramline.compare(FIELD, widths=(6, 12, 200), radius=6)
+    assert [job["machine"] for job in found.machines] == ["6 m", "12 m", "200 m"]
+    for job, width in zip(found.machines, (6, 12)):
+        plan = tramline.plan(FIELD, width=width, radius=6)
+        assert job["euros"] == pytest.approx(plan.euros, rel=1e-12)
+    assert "error" in found.machines[2] and len(found) == 3 and found.points == []
+    assert found.csv.count("\n") == 4
+    with pytest.raises(tramline.InputError, match="plan()"):
+        found.plan(1)
+    with pytest.raises(tramline.InputError, match="tracks alone"):
+        tramline.compare(FIELD, widths=(6, 12), prices=PRICES)
+    with pytest.raises(tramline.InputError, match="for_"):
+        tramline.compare(FIELD, widths=(6, 12), for_=PRICES)
 
 
 def test_comparison():

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import pathlib
 import sys
+from keyword import iskeyword
 
 from tramline import _core
 
@@ -38,7 +39,9 @@ FUNCTIONS = {
     "plan": ("field: _Field, *, name: str | None = ..., progress: _Progress | None = ...", "plan", {"all"}, "Plan"),
     "plan_fields": ("gdf: Any, *, plans: bool = ...", "plan", {"all", "id", "where"}, "Any"),
     "compare": ("field: _Field, *, name: str | None = ..., progress: _Progress | None = ...", "compare", {"all"}, "Comparison"),
-    "price": ("lines: Any, field: _Field | None = ..., *", "price", {"field"}, "Plan"),
+    "price": (
+        "lines: Any, field: _Field | None = ..., *, progress: _Progress | None = ...", "price", {"field"}, "Plan"
+    ),
     "evaluate": ("done: Plan | _Path, *, field: _Field | None = ..., plan: Plan | _Path | None = ...", "evaluate", {"field"}, "Evaluation"),
     "check": ("plan: Plan | _Path, *, field: _Field | None = ..., id: str = ...", "check", {"field", "id"}, "Verdict"),
 }
@@ -52,13 +55,16 @@ SPECIAL = {
     "route": "bool | str",
     "threads": "int",
     "job": "int",
+    "for_": "_Numbers | Sequence[_Numbers]",
+    "machines": "_Path | Sequence[_Path]",
 }
 
 
 def type_of(name: str, takes: str) -> str:
     if name in SPECIAL:
         return SPECIAL[name]
-    return "float" if takes in NUMBERS else TYPES.get(takes, "str")
+    kind = takes.split(":")[0]  # behind the colon is what values may be
+    return "float" if kind in NUMBERS else TYPES.get(kind, "str")
 
 
 def stub(name: str) -> str:
@@ -66,6 +72,7 @@ def stub(name: str) -> str:
     lines = [f"def {name}(", f"    {head},"]
     for option, takes, _ in _core.options(command):
         keyword = option[2:].replace("-", "_")
+        keyword += "_" * iskeyword(keyword)
         if keyword not in left_out:
             lines.append(f"    {keyword}: {type_of(keyword, takes)} | None = ...,")
     return "\n".join([*lines, f") -> {result}: ..."])

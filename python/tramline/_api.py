@@ -64,7 +64,8 @@ def plan_fields(gdf: Any, *, threads: int = 0, plans: bool = False, **options: A
     """Plans every field of a GeoDataFrame, or of a file, and gives their figures with the same index.
 
     A field that is refused has the reason in the column `error`, and no figures. plans: a column `plan` of the
-    plans themselves, too. The result does not depend on threads.
+    plans themselves, too. The result does not depend on threads. Raises InputError for options with which no
+    field could be planned.
     """
     import geopandas
 
@@ -72,6 +73,8 @@ def plan_fields(gdf: Any, *, threads: int = 0, plans: bool = False, **options: A
     if isinstance(gdf, (str, os.PathLike)):
         layer = options.pop("layer", None)
         gdf = geopandas.read_file(gdf, layer=layer) if layer else geopandas.read_file(gdf)
+
+    _core.require_plannable(["fields", *words(options)])
 
     def one(item: tuple[Any, Any]) -> Plan | str:
         index, shape = item
@@ -145,24 +148,29 @@ def check(plan: Any, *, field: Any = None, id: str = "", **options: Any) -> Verd
         return Verdict(_core.check(file, id, more, features))
 
 
-def price(lines: Any, field: Any = None, **options: Any) -> Plan:
+def price(lines: Any, field: Any = None, *, progress: Any = None, **options: Any) -> Plan:
     """The plan that given lines are, with its figures, as `tramline price` has it.
 
     lines: centre lines in driving order: a path, a Plan, or anything with __geo_interface__; a list of them too.
     field: needed for lines; the tracks of a plan bring their own.
+    compare: plan the field as well; the result has that plan in `planned`, and the differences in `difference`.
     """
     if isinstance(lines, Plan):
         with tempfile.TemporaryDirectory(prefix="tramline-") as folder:
             file = os.path.join(folder, "plan.gpkg")
             lines.save(file)
-            return price(file, field, **options)
+            return price(file, field, progress=progress, **options)
     source = given(lines, "lines")
     more, features = _field_words(field, options)
-    return Plan(_core.price([source.file, *more], features, source.features))
+    return Plan(_core.price([source.file, *more], features, source.features, progress))
 
 
 def compare(field: Any, *, name: str | None = None, progress: Any = None, **options: Any) -> Comparison:
-    """The plans of a field that are worth a choice, as `tramline compare` finds them."""
+    """The plans of a field that are worth a choice, as `tramline compare` finds them.
+
+    for_: prices, or several of them, whose cheapest plan is named (`winners`).
+    widths, machines: compares instead what the whole job takes with each of them (`machines`).
+    """
     _none_of(options, _ONE_FIELD, "all")
     source = given(field, "field", name)
     _require_file(source, options)

@@ -87,7 +87,7 @@ def plan(
     subfields: _Path | None = ...,
     only: _Path | None = ...,
     done: _Path | Sequence[_Path] | None = ...,
-    seconds: str | None = ...,
+    seconds: float | None = ...,
     threads: int | None = ...,
 ) -> Plan: ...
 def plan_fields(
@@ -160,7 +160,7 @@ def plan_fields(
     subfields: _Path | None = ...,
     only: _Path | None = ...,
     done: _Path | Sequence[_Path] | None = ...,
-    seconds: str | None = ...,
+    seconds: float | None = ...,
     threads: int | None = ...,
 ) -> Any: ...
 def compare(
@@ -232,11 +232,14 @@ def compare(
     curved: str | None = ...,
     tracks: str | None = ...,
     ab_anchor: str | None = ...,
-    seconds: str | None = ...,
+    for_: _Numbers | Sequence[_Numbers] | None = ...,
+    widths: _Numbers | None = ...,
+    machines: _Path | Sequence[_Path] | None = ...,
+    seconds: float | None = ...,
     threads: int | None = ...,
 ) -> Comparison: ...
 def price(
-    lines: Any, field: _Field | None = ..., *,
+    lines: Any, field: _Field | None = ..., *, progress: _Progress | None = ...,
     lines_layer: str | None = ...,
     lines_where: str | None = ...,
     layer: str | None = ...,
@@ -306,6 +309,9 @@ def price(
     curved: str | None = ...,
     tracks: str | None = ...,
     ab_anchor: str | None = ...,
+    compare: bool | None = ...,
+    seconds: float | None = ...,
+    threads: int | None = ...,
 ) -> Plan: ...
 def evaluate(
     done: Plan | _Path, *, field: _Field | None = ..., plan: Plan | _Path | None = ...,
@@ -322,16 +328,16 @@ def evaluate(
     log_crs: str | None = ...,
     headings: str | None = ...,
     width: float | None = ...,
-    antenna_forward: str | None = ...,
-    antenna_right: str | None = ...,
-    implement_behind: str | None = ...,
+    antenna_forward: float | None = ...,
+    antenna_right: float | None = ...,
+    implement_behind: float | None = ...,
     quads: str | None = ...,
     switch: str | None = ...,
-    max_gap_s: str | None = ...,
-    max_step_m: str | None = ...,
+    max_gap_s: float | None = ...,
+    max_step_m: float | None = ...,
     repeat: str | None = ...,
     engine: str | None = ...,
-    mesh: str | None = ...,
+    mesh: float | None = ...,
     threads: int | None = ...,
 ) -> Evaluation: ...
 def check(

@@ -47,6 +47,10 @@ def given(source: object, what: str, name: str | None = None) -> Given:
         return _in_memory(*_of_wkb(bytes(source), name or what), what)
     if isinstance(source, Sequence):
         return _of_sequence(source, what, name)
+    wkb = getattr(source, "wkb", None)
+    if isinstance(wkb, bytes):
+        # A geometry of shapely, without the detour over texts.
+        return _in_memory(*_of_wkb(wkb, name or what), what)
     interface = _interface(source)
     if interface is None:
         raise InputError(

@@ -146,6 +146,18 @@ class Plan(Figures):
     def warnings(self) -> list[str]:
         return list(self.figures["warnings"])
 
+    @property
+    def planned(self) -> Plan | None:
+        """The plan that given lines were compared with; None unless price() was asked to compare."""
+        planned = self._core.planned
+        return None if planned is None else Plan(planned)
+
+    @property
+    def difference(self) -> dict[str, float | None] | None:
+        """`planned` less this plan, with the same in per cent (docs/json.md); None where nothing was compared."""
+        compared = self._core.comparison
+        return dict(json.loads(compared)["difference"]) if compared else None
+
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a plan file (.gpkg), with the bytes that the program writes, or a picture (.png, .svg, .pdf).
 
@@ -260,7 +272,7 @@ class Verdict(Figures):
 
 
 class Comparison(Figures):
-    """Plans of a field of which none is better than another in everything."""
+    """Plans of a field of which none is better than another in everything, or what it takes with several machines."""
 
     def __init__(self, core: _core.Comparison) -> None:
         self._core = core
@@ -270,12 +282,26 @@ class Comparison(Figures):
 
     @property
     def points(self) -> list[dict[str, Any]]:
-        """Figures of each plan (the key `front` of docs/json.md)."""
-        return list(self.figures["front"])
+        """Figures of each plan (the key `front` of docs/json.md); empty where machines were compared."""
+        return list(self.figures.get("front", ()))
+
+    @property
+    def winners(self) -> list[dict[str, Any]]:
+        """For each of `for_`, the plan that costs least."""
+        return list(self.figures.get("winners", ()))
+
+    @property
+    def machines(self) -> list[dict[str, Any]]:
+        """What the whole job takes with each machine: hours, litres, euros; or `error`. Empty where plans were compared."""
+        return list(self.figures.get("machines", ()))
+
+    def plan(self, point: int) -> Plan:
+        """A plan of the front, by the number in `points`."""
+        return Plan(self._core.plan(point))
 
     @property
     def csv(self) -> str:
         return self._core.csv
 
     def __len__(self) -> int:
-        return len(self.points)
+        return len(self.points or self.machines)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numbers
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ._core import InputError
 
 # Options that take their value again for each of several.
-_REPEATED = {"done"}
+_REPEATED = {"done", "for_"}
 
 
 def words(options: dict[str, Any]) -> list[str]:
@@ -20,18 +20,26 @@ def words(options: dict[str, Any]) -> list[str]:
     """
     out: list[str] = []
     for name, value in options.items():
-        option = "--" + name.replace("_", "-")
+        # Words of Python itself are written with a line behind: for_.
+        option = "--" + name.rstrip("_").replace("_", "-")
         if name == "route" and isinstance(value, bool):
             value = "whole" if value else "none"
         if value is None or value is False:
             continue
         if value is True:
             out.append(option)
-        elif name in _REPEATED and not isinstance(value, (str, os.PathLike)):
+        elif name in _REPEATED and _is_several(value):
             out.extend(f"{option}={text(one, name)}" for one in value)
         else:
             out.append(f"{option}={text(value, name)}")
     return out
+
+
+def _is_several(value: Any) -> bool:
+    """Several values, rather than one that is a sequence of numbers."""
+    if isinstance(value, (str, os.PathLike)) or not isinstance(value, Sequence):
+        return False
+    return not all(isinstance(part, numbers.Real) for part in value)
 
 
 def text(value: object, name: str) -> str:

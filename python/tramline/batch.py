@@ -13,9 +13,11 @@ import argparse
 import json
 import logging
 import sys
+import tempfile
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from . import _core
@@ -78,17 +80,34 @@ def _finished(client: Any, words: Sequence[str], chunks: list[int]) -> Iterator[
             running.add(next_one())
 
 
-def _cluster(scheduler: str, workers: int) -> Any:
-    """A client, to be used in a `with`."""
+@contextmanager
+def _cluster(scheduler: str, workers: int) -> Iterator[Any]:
+    """A client."""
     import dask
     from distributed import Client, LocalCluster
 
-    if scheduler == "local":
-        # Elsewhere it is the scheduler's own setting.
-        dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS_OF_A_CHUNK})
-        cluster = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
-        return Client(cluster, timeout=_GONE_S)
-    return Client(scheduler, timeout=_GONE_S)
+    if scheduler != "local":
+        with Client(scheduler, timeout=_GONE_S) as client:
+            yield client
+        return
+    # Elsewhere it is the scheduler's own setting.
+    dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS_OF_A_CHUNK})
+    # Workers would keep their files where the user happens to be.
+    with tempfile.TemporaryDirectory(prefix="tramline-dask-") as folder:
+        own = {"n_workers": workers, "threads_per_worker": 1, "dashboard_address": None, "local_directory": folder}
+        with LocalCluster(**own) as cluster, Client(cluster, timeout=_GONE_S) as client:
+            yield client
+
+
+def _silence() -> None:
+    """What is lost is said in one sentence. Dask gives its loggers levels of their own when it is imported."""
+    try:
+        import distributed  # noqa: F401
+    except ImportError:
+        return  # run() says so
+    for name in list(logging.root.manager.loggerDict):
+        if name.split(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 def run(words: Sequence[str], scheduler: str = "local", workers: int = 2, quiet: bool = False) -> dict[str, Any]:
@@ -136,8 +155,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--json", action="store_true", help="print the sums as JSON")
     parser.add_argument("--quiet", action="store_true", help="print neither progress nor sums")
     own, words = parser.parse_known_args(arguments)
-    # What is lost is said in one sentence below.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    _silence()
     try:
         sums = run(words, own.scheduler, own.workers, own.quiet)
     except (InputError, RunError) as fault:

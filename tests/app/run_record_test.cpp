@@ -91,12 +91,5 @@ TEST_F(RunRecordTest, ForgetsWhatLiesInAFile) {
   EXPECT_NE(record.finished("farm:2", "abc"), nullptr);
 }
 
-// The published values of FNV-1a.
-TEST(DigestOf, IsThatOfFnv) {
-  EXPECT_EQ(digest_of(""), "cbf29ce484222325");
-  EXPECT_EQ(digest_of("a"), "af63dc4c8601ec8c");
-  EXPECT_EQ(digest_of("foobar"), "85944171f73967e8");
-}
-
 }  // namespace
 }  // namespace tramline::app

@@ -61,6 +61,15 @@ const std::vector<Case> kForbidden = {
     {"src/tramline/planner/a.cpp", "#include <CLI/CLI.hpp>"},
     {"src/tramline/model/a.cpp", "#include <nlohmann/json.hpp>"},
     {"src/tramline/io/a.cpp", "#include <boost/geometry.hpp>"},
+    // of Python to others, and of others to Python
+    {"apps/tramline/a.cpp", "#include <pybind11/pybind11.h>"},
+    {"src/tramline/planner/a.cpp", "#include <pybind11/pybind11.h>"},
+    {"apps/tramline/a.cpp", "#include \"python/src/work.h\""},
+    {"python/src/a.cpp", "#include <gdal_priv.h>"},
+    {"python/src/a.cpp", "#include <CLI/CLI.hpp>"},
+    {"python/src/a.h", "#include <tbb/task_arena.h>"},
+    {"python/src/a.cpp", "#include \"tramline/attic/junk.h\""},
+    {"python/src/a.cpp", "#include \"../../apps/request/field_input.h\""},
     // the program, unknown rooms, climbing paths
     {"src/tramline/planner/a.cpp", "#include \"apps/tramline/command.h\""},
     {"src/tramline/planner/a.cpp", "#include \"command.h\""},
@@ -87,6 +96,9 @@ const std::vector<Case> kAllowed = {
     {"apps/tramline/a.cpp", "#include \"command.h\""},
     {"apps/gallery/a.cpp", "#include \"tramline/render/draw.h\""},
     {"apps/tramline/a.cpp", "#include <CLI/CLI.hpp>"},
+    {"python/src/a.cpp", "#include <pybind11/pybind11.h>"},
+    {"python/src/a.cpp", "#include \"options/plan_options.h\""},
+    {"python/src/a.cpp", "#include \"tramline/planner/plan_field.h\""},
 };
 
 TEST(Rules, EveryForbiddenEdgeIsReportedWithItsLine) {

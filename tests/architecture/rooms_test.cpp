@@ -65,7 +65,7 @@ TEST(Rooms, HoldTwentyFilesAtTheMostOrSayWhy) {
 std::map<std::string, Names> ways_between_folders() {
   std::map<std::string, Names> out;
   for (const std::string& path : repository_files()) {
-    if (!is_product_source(path) || path.starts_with("apps/")) continue;
+    if (!is_product_source(path) || path.starts_with("apps/") || path.starts_with("python/")) continue;
     const std::string from = folder_of(path.substr(path.find("tramline/") + std::string("tramline/").size()));
     for (const std::string& header : included_by(read(path))) {
       const std::string to = folder_of(header);

@@ -53,12 +53,14 @@ const std::array kThirdParty = {
     ThirdParty{"cpl_", {"io"}},
     ThirdParty{"zlib.h", {"io", "apps"}},
     ThirdParty{"cairo", {"render"}},
-    ThirdParty{"tbb/", {"planner", "coverage", "apps"}, true},
-    ThirdParty{"oneapi/", {"planner", "coverage", "apps"}, true},
+    ThirdParty{"tbb/", {"planner", "coverage", "apps", "python"}, true},
+    ThirdParty{"oneapi/", {"planner", "coverage", "apps", "python"}, true},
     ThirdParty{"pugixml", {"io", "apps"}},
-    ThirdParty{"nlohmann/", {"io", "apps"}},
+    ThirdParty{"nlohmann/", {"io", "apps", "python"}},
     ThirdParty{"toml++/", {"io", "apps"}},
     ThirdParty{"CLI/", {"apps"}},
+    ThirdParty{"pybind11/", {"python"}},
+    ThirdParty{"Python.h", {"python"}},
     ThirdParty{"httplib.h", {"apps"}},
     ThirdParty{"spdlog/", {"apps"}},
     ThirdParty{"fmt/", {}},
@@ -107,10 +109,14 @@ std::optional<std::size_t> floor_of(std::string_view room) {
 
 bool is_room(std::string_view name) { return floor_of(name) || kBeside.contains(name); }
 
+// Above the tower and the rooms beside it: what is made of all of them.
+const Names kFaces = {"apps", "python"};
+
 // "src/tramline/geometry/tolerances.h" and "include/tramline/geometry/point.h" are in geometry,
-// "apps/tramline/main.cpp" in apps.
+// "apps/tramline/main.cpp" in apps, "python/src/module.cpp" in python.
 std::string room_of(const std::string& path) {
-  if (path.starts_with("apps/")) return "apps";
+  for (const std::string& face : kFaces)
+    if (path.starts_with(face + "/")) return face;
   const std::size_t root = path.find('/');
   const bool library = path.starts_with("src/tramline/") || path.starts_with("include/tramline/");
   if (!library) return "";
@@ -149,7 +155,8 @@ std::optional<std::string> fault_of_quoted(const std::string& header, const std:
   if (header.starts_with("tramline/")) return fault_of_own(header, room);
   if (header.find("..") != std::string::npos)
     return "paths that climb are not used; write tramline/ROOM/FILE";
-  if (room == "apps") return std::nullopt;  // a header beside the file
+  if (header.starts_with("python/")) return "the Python package is used by nothing else";
+  if (kFaces.contains(room)) return std::nullopt;  // a header beside the file, or of another app
   if (header.starts_with("apps/")) return "the library knows no program";
   const auto fault = fault_of_foreign(header, room, in_cpp);
   return fault ? "write headers of the project as tramline/ROOM/FILE; otherwise: " + *fault : fault;
@@ -177,7 +184,7 @@ std::vector<std::string> rooms() {
 }
 
 bool may_use(std::string_view from, std::string_view to) {
-  if (from == to || from == "apps") return true;
+  if (from == to || kFaces.contains(from)) return true;
   if (const auto beside = kBeside.find(from); beside != kBeside.end()) return beside->second.contains(to);
   if (kAlongAFloor.contains({std::string(from), std::string(to)})) return true;
   const auto upper = floor_of(from);
@@ -188,7 +195,8 @@ bool may_use(std::string_view from, std::string_view to) {
 std::vector<Violation> check_includes(const std::string& path, const std::string& text) {
   static const std::regex kInclude(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
   const std::string room = room_of(path);
-  if (room != "apps" && !is_room(room)) return {{path, 0, path, "there is no room named '" + room + "'"}};
+  if (!kFaces.contains(room) && !is_room(room))
+    return {{path, 0, path, "there is no room named '" + room + "'"}};
 
   std::vector<Violation> out;
   std::istringstream lines(text);

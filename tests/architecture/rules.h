@@ -21,11 +21,11 @@ std::string describe(const Violation& violation);
 /// All rooms under src/tramline, floors bottom up, then the rooms beside the tower.
 std::vector<std::string> rooms();
 
-/// May room `from` use room `to`? Every room may use itself; `apps` may use every room.
+/// May room `from` use room `to`? Every room may use itself; `apps` and `python` may use every room.
 bool may_use(std::string_view from, std::string_view to);
 
 /// Checks the #include lines of one file. `path` is relative to the root of the repository and
-/// lies under src/tramline/ or apps/.
+/// lies under src/tramline/, include/tramline/, apps/ or python/.
 std::vector<Violation> check_includes(const std::string& path, const std::string& text);
 
 /// Checks the libraries that a room's CMakeLists.txt hands to tramline_module().

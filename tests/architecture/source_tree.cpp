@@ -59,7 +59,8 @@ std::vector<std::string> repository_files() {
 }
 
 bool is_product_source(const std::string& path) {
-  const bool ours = path.starts_with("src/") || path.starts_with("include/") || path.starts_with("apps/");
+  const bool ours = path.starts_with("src/") || path.starts_with("include/") || path.starts_with("apps/") ||
+                    path.starts_with("python/src/");
   return ours && (path.ends_with(".cpp") || path.ends_with(".h"));
 }
 

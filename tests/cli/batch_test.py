@@ -128,6 +128,21 @@ class Batch(unittest.TestCase):
         self.parcels.write_text(self.parcels.read_text().replace("9.002", "9.0021", 1))
         self.assertIn("'contents'", self.run_batch("out", "--resume", code=2).stderr)
 
+    def test_the_files_beside_a_shapefile_count(self):
+        features = [feature(number) for number in range(3)]
+        self.parcels.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+        shapes = self.folder / "shapes"
+        subprocess.run(["ogr2ogr", "-f", "ESRI Shapefile", shapes, self.parcels, "-nln", "parcels"], check=True)
+        for name, given in (("file", shapes / "parcels.shp"), ("folder", shapes)):
+            self.parcels = given
+            self.run_batch(name, code=0)
+            self.run_batch(name, "--resume", code=0)
+        table = shapes / "parcels.dbf"
+        table.write_bytes(table.read_bytes().replace(b"f1", b"g1"))
+        for name, given in (("file", shapes / "parcels.shp"), ("folder", shapes)):
+            self.parcels = given
+            self.assertIn("'contents'", self.run_batch(name, "--resume", code=2).stderr)
+
     def test_a_damaged_chunk_is_named(self):
         self.run_batch("out")
         (self.folder / "out/chunks/000001.jsonl").write_text('{"field_id": \n')

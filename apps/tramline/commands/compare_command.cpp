@@ -10,20 +10,18 @@
 #include "commands/command.h"
 #include "commands/many_fields.h"
 #include "options/common_options.h"
-#include "options/field_options.h"
-#include "options/plan_options.h"
+#include "options/compare_options.h"
+#include "options/search_seconds.h"
 #include "output/output_target.h"
 #include "output/progress.h"
 #include "output/search_end.h"
 #include "report/front_report.h"
-#include "request/machines_asked.h"
 #include "request/output_names.h"
 #include "tables/job_cost_run.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/pareto/trade_off.h"
-#include "tramline/planner/validate_request.h"
 #include "tramline/render/trade_off/draw_trade_off.h"
 
 namespace tramline::app {
@@ -88,18 +86,7 @@ class CompareCommand : public Command {
   CommandOptions setup(CLI::App& program) override {
     CommandOptions command(program, "compare", kAbout);
     command.footer(kExample);
-    add_field_options(command, field_options_);
-    add_plan_options(command, plan_options_);
-    command.begin_group("Objective");
-    command
-        .add_option(
-            "--for", asked_,
-            "Also name the plan that costs least at these prices: overlap,uncovered,turn[,stop[,subfield]]. "
-            "May be given several times; prices left out are those of --prices.")
-        .takes("NUMBERS")
-        .one_value_each_time()
-        .shows_default("none");
-    add_machines_options(command, machines_);
+    add_compare_options(command, options_);
     command.begin_group("Output");
     command.add_option("--csv", csv_, "Write a table of the plans to this .csv.")
         .takes("FILE")
@@ -123,28 +110,16 @@ class CompareCommand : public Command {
   }
 
   int run() override {
-    if (machines_.asked()) return compare_machines();
-    take_conventions(*command_, plan_options_);
-    machine_ = machine_of(plan_options_);
-    objective_ = objective_of(plan_options_);
-    settings_ = settings_of(plan_options_);
-    validate_request(machine_, objective_, settings_);
-    if (settings_.tracks == TrackConstruction::kPaper || settings_.shape != TrackShape::kStraight ||
-        !plan_options_.ab.empty() || !plan_options_.guide_file.empty() || !plan_options_.ab_anchor.empty())
-      throw bad_input(
-          "compare chooses directions itself; leave out --curved, --ab, --ab-anchor, --guide and --tracks");
-    for (const std::string& text : asked_) {
-      prices_.push_back(prices_typed(text, "--for", objective_));
-      validate_request(machine_, prices_.back(), settings_);
-    }
+    if (options_.machines.asked()) return compare_machines();
+    asked_ = asked_comparison(*command_, options_);
     const PointChoice choice(point_);
-    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
-                                          field_options_.passable_file, plan_options_.machine_file};
+    const std::vector<std::string> inputs{options_.field.file, options_.field.obstacles_file,
+                                          options_.field.passable_file, options_.plan.machine_file};
     require_writable(csv_, "--csv", {".csv"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     require_writable(output_, "--output", {".gpkg"}, inputs);
-    const FieldInput input = load_fields(field_options_);
-    const bool single = !field_options_.all && input.fields.size() == 1;
+    const FieldInput input = load_fields(options_.field);
+    const bool single = !options_.field.all && input.fields.size() == 1;
     const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
     Outputs outputs{{csv_, naming}, {picture_, naming}, {output_, naming}, choice};
     const ManyFieldsReport report{json_, quiet_, "compared the plans of"};
@@ -160,26 +135,21 @@ class CompareCommand : public Command {
  private:
   /// What the whole job would cost with other machines.
   int compare_machines() {
-    if (!asked_.empty() || !picture_.empty() || !output_.empty() || command_->is_given("--point"))
+    if (!options_.prices.empty() || !picture_.empty() || !output_.empty() || command_->is_given("--point"))
       throw bad_input(
           "several machines are compared by their whole routes: with --widths or --machines leave out --for, "
           "--picture, --output and --point");
-    take_whole_plan(*command_, plan_options_);
+    const AskedMachines asked = asked_machines(*command_, options_);
     JobCostRun run;
-    run.settings = settings_of(plan_options_);
-    run.objective = objective_of(plan_options_);
-    if (run.settings.turns != TurnPlanning::kRoute)
-      throw bad_input(
-          "several machines are compared by their whole routes: leave out what asks for tracks alone, such "
-          "as "
-          "--prices, or --widths and --machines");
-    run.machines = machines_asked(machine_of(plan_options_), machines_.widths, machines_.files);
+    run.settings = asked.settings;
+    run.objective = asked.objective;
+    run.machines = asked.machines;
     run.csv_file = csv_;
     run.seconds = seconds_;
     run.threads = threads_;
     run.json = json_;
     run.quiet = quiet_;
-    return run_job_costs(run, field_options_, plan_options_);
+    return run_job_costs(run, options_.field, options_.plan);
   }
 
   struct Outputs {
@@ -192,15 +162,16 @@ class CompareCommand : public Command {
     const TradeOff found = compared(field);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     write(found, field, outputs);
-    const Comparison comparison{field,   machine_,        settings_,      found.front,
-                                prices_, elapsed.count(), found.cut_short};
+    const PlanSettings settings = asked_.plans.settings_on(field);
+    const Comparison comparison{field,         asked_.plans.machine(), settings,       found.front,
+                                asked_.prices, elapsed.count(),        found.cut_short};
     return {compare_json(comparison, skipped), compare_table(comparison, skipped), {}};
   }
 
   TradeOff compared(const Field& field) const {
     ProgressLine progress(quiet_);
-    return trade_off(field, machine_, objective_, settings_, threads_,
-                     [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+    return trade_off(field, asked_.plans.machine(), asked_.plans.objective(), asked_.plans.settings_on(field),
+                     threads_, [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
                        progress.show("comparing " + field.id, done, total, "searches");
                        return end.demand();
                      });
@@ -223,19 +194,13 @@ class CompareCommand : public Command {
     render::draw_trade_off(found.front, plans, path);
   }
 
-  FieldOptions field_options_;
+  CompareOptions options_;
   std::optional<CommandOptions> command_;
-  PlanOptions plan_options_;
-  MachinesOptions machines_;
-  std::vector<std::string> asked_;
+  AskedComparison asked_;
   std::string csv_, picture_, output_, point_ = "given";
   int threads_ = 0;
   std::optional<double> seconds_;
   bool json_ = false, quiet_ = false;
-  Machine machine_;
-  Objective objective_;
-  PlanSettings settings_;
-  std::vector<Objective> prices_;
 };
 
 }  // namespace

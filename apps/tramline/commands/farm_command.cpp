@@ -2,6 +2,7 @@
 
 #include "commands/command.h"
 #include "options/common_options.h"
+#include "options/compare_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
 #include "output/search_end.h"

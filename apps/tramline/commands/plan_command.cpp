@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "batch/digest.h"
 #include "commands/command.h"
 #include "commands/many_fields.h"
 #include "commands/plan_run_input.h"
@@ -151,30 +152,25 @@ class PlanCommand : public Command {
  private:
   /// A table of maps for each field.
   int run_tables() {
-    machine_ = machine_of(plan_options_);
-    objective_ = objective_of(plan_options_);
-    settings_ = settings_of(plan_options_);
-    validate_request(machine_, objective_, settings_);
     require_only_tables();
     std::optional<DirectionWords> directions;
     if (!table_options_.directions.empty()) directions = direction_words(table_options_.directions);
-    const std::vector<double> widths_m = widths_asked_for();
+    const std::vector<double> widths_m = take_widths();
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
                                           field_options_.passable_file, plan_options_.machine_file,
                                           plan_options_.guide_file};
     require_writable(table_options_.table_file, "--table", {".csv"}, inputs);
     require_writable(wanted_.picture, "--picture", {".png", ".svg", ".pdf"}, inputs);
-    const FieldInput input = load_fields(field_options_);
-    if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
+    FieldInput input = load_fields(field_options_);
+    asked_.read_files(plan_options_, land_options_, input);
     const bool single = !field_options_.all && input.fields.size() == 1;
     const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
     OutputNames tables(table_options_.table_file, naming), pictures(wanted_.picture, naming);
     const auto work = [&](const Field& field) {
-      const MapTableTask task{field, machine_, settings_for(settings_, guide_, field, machine_), directions,
-                              widths_m};
+      const MapTableTask task{field, asked_.machine(), asked_.settings_on(field), directions, widths_m};
       const MapTableResult found = mapped(task, [&](const Machine& machine, const PlanSettings& settings) {
         ProgressLine progress(quiet_);
-        return plan_field(field, machine, objective_, settings, threads_, shown(field, progress));
+        return plan_field(field, machine, asked_.objective(), settings, threads_, shown(field, progress));
       });
       write(found, field, tables, pictures);
       const std::vector<Skipped>& skipped = single ? input.skipped : kNothingSkipped;
@@ -186,13 +182,20 @@ class PlanCommand : public Command {
     return show_single(input.fields.front(), work(input.fields.front()), report);
   }
 
-  /// The first is that of `machine_` then.
-  std::vector<double> widths_asked_for() {
-    std::vector<double> out{machine_.width_m};
-    if (!table_options_.widths.empty()) out = map_widths(table_options_.widths);
-    for (auto width_m = out.rbegin(); width_m != out.rend(); ++width_m) {
-      machine_.width_m = *width_m;
-      validate_request(machine_, objective_, settings_);
+  /// The widths of a table, of which the machine has the first.
+  std::vector<double> take_widths() {
+    std::vector<double> out;
+    if (!table_options_.widths.empty()) {
+      out = map_widths(table_options_.widths);
+      plan_options_.width_m = out.front();
+    }
+    asked_ = AskedPlans(plan_options_);
+    if (out.empty()) out.push_back(asked_.machine().width_m);
+    const PlanSettings settings = asked_.settings_on({});
+    for (const double width_m : out) {
+      Machine machine = asked_.machine();
+      machine.width_m = width_m;
+      validate_request(machine, asked_.objective(), settings);
     }
     return out;
   }
@@ -360,11 +363,6 @@ class PlanCommand : public Command {
   int threads_ = 0;
   std::optional<double> seconds_;
   bool explain_ = false, front_ = false, resume_ = false, json_ = false, quiet_ = false;
-  // Of a table of maps.
-  Machine machine_;
-  Objective objective_;
-  PlanSettings settings_;
-  std::optional<GuideLine> guide_;
 };
 
 }  // namespace

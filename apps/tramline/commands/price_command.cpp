@@ -8,8 +8,9 @@
 #include "commands/command.h"
 #include "commands/many_fields.h"
 #include "options/common_options.h"
-#include "options/field_options.h"
 #include "options/plan_options.h"
+#include "options/price_options.h"
+#include "options/search_seconds.h"
 #include "output/output_target.h"
 #include "output/progress.h"
 #include "output/search_end.h"
@@ -45,63 +46,33 @@ class PriceCommand : public Command {
   CommandOptions setup(CLI::App& program) override {
     CommandOptions command(program, "price", kAbout);
     command.footer(kExample);
-    command
-        .add_option("LINES", lines_.file,
-                    "The centre lines: any vector file, an export of 'tramline export', or a plan file.")
-        .required();
-    command.begin_group("Lines");
-    command.add_option("--lines-layer", lines_.layer, "Read this layer of LINES.")
-        .takes("NAME")
-        .shows_default("the only layer with lines");
-    command
-        .add_option("--lines-where", lines_.where,
-                    "Read only lines that match, such as \"field_id='mill-field'\".")
-        .takes("FILTER")
-        .shows_default("all lines");
-    add_field_choice(command, field_options_);
-    command.option("--field").shows_default("that of a plan file; other lines need it");
-    add_plan_options(command, plan_options_);
-    command.option("--width").shows_default("that of a plan file; other lines need it");
-    command.option("--radius").shows_default("that of a plan file, else 6");
-    command.option("--prices").shows_default("those of a plan file, else 0.02,0.10,1,5,5");
-    command.option("--clearance").shows_default("that of a plan file, else 0");
-    command.begin_group("Comparison");
-    const Option compare = command.add_flag(
-        "--compare", compare_, "Also plan the field, and report both plans and the differences.");
-    for (const char* option : {"--strategy", "--direction-tolerance", "--decomposition", "--short-edge",
-                               "--merge", "--cell-direction", "--end-rule", "--boundary", "--avoid",
-                               "--avoid-threshold", "--avoid-room", "--headlands", "--obstacle-headlands",
-                               "--ab", "--guide", "--curved", "--tracks", "--ab-anchor", "--min-length"})
-      command.option(option).needs(compare);
+    add_price_options(command, options_);
     command.begin_group("Output");
     add_output_option(command, output_, "Write the lines as a plan to this GeoPackage (.gpkg).");
     add_picture_option(command, picture_, "Draw the lines as a plan to this .png, .svg or .pdf.");
     add_report_options(command, json_, "Print one JSON object.", quiet_);
     command.begin_group("Run");
     add_seconds_option(command, seconds_);
-    command.option("--seconds").needs(compare);
+    command.option("--seconds").needs(command.option("--compare"));
     add_threads_option(command, threads_);
     command_.emplace(command);
     return command;
   }
 
   int run() override {
-    take_conventions(*command_, plan_options_);
-    const std::vector<std::string> inputs{lines_.file,
-                                          field_options_.file,
-                                          field_options_.obstacles_file,
-                                          field_options_.passable_file,
-                                          plan_options_.machine_file,
-                                          plan_options_.guide_file};
+    take_conventions(*command_, options_.plan);
+    const std::vector<std::string> inputs{options_.lines.file,           options_.field.file,
+                                          options_.field.obstacles_file, options_.field.passable_file,
+                                          options_.plan.machine_file,    options_.plan.guide_file};
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
-    PriceInput input = price_input(lines_, field_options_, plan_options_);
+    PriceInput input = price_input(options_.lines, options_.field, options_.plan);
     validate_request(input.machine, input.objective, input.settings);
     const auto start = std::chrono::steady_clock::now();
     PricedLines priced =
         price_lines(input.field, input.machine, input.objective, input.lines, input.settings.clearance_m);
     std::optional<Plan> planned;
-    if (compare_) planned = plan_of(input);
+    if (options_.compare) planned = plan_of(input);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     for (Skipped& line : priced.skipped) input.skipped.push_back(std::move(line));
     if (!output_.empty()) io::write_plan(priced.plan, output_);
@@ -115,7 +86,7 @@ class PriceCommand : public Command {
     const InterruptEndsSearches interruptible;
     ProgressLine progress(quiet_);
     const PlanSettings settings = settings_for(
-        input.settings, guide_of(plan_options_, input.field.source.input_crs), input.field, input.machine);
+        input.settings, guide_of(options_.plan, input.field.source.input_crs), input.field, input.machine);
     return plan_field(input.field, input.machine, input.objective, settings, threads_,
                       [&, end = SearchEnd(seconds_)](int done, int total) {
                         progress.show("planning " + input.field.id, done, total);
@@ -123,14 +94,12 @@ class PriceCommand : public Command {
                       });
   }
 
-  LinesOptions lines_;
-  FieldOptions field_options_;
+  PriceOptions options_;
   std::optional<CommandOptions> command_;
-  PlanOptions plan_options_;
   std::string output_, picture_;
   int threads_ = 0;
   std::optional<double> seconds_;
-  bool compare_ = false, json_ = false, quiet_ = false;
+  bool json_ = false, quiet_ = false;
 };
 
 }  // namespace

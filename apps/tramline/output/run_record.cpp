@@ -107,10 +107,4 @@ void RunRecord::add(const std::string& key, const std::string& made_from, const 
   entries_[key] = {made_from, result};
 }
 
-std::string digest_of(const std::string& text) {
-  std::uint64_t out = 0xcbf29ce484222325;
-  for (const char c : text) out = (out ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return fmt::format("{:016x}", out);
-}
-
 }  // namespace tramline::app

@@ -46,7 +46,4 @@ class RunRecord {
   std::map<std::string, Entry> entries_;
 };
 
-/// A short text that differs where the given one does: 64 bits in hexadecimal digits (FNV-1a).
-std::string digest_of(const std::string& text);
-
 }  // namespace tramline::app

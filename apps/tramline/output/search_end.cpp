@@ -11,17 +11,6 @@ void note_interrupt(int) { interrupted = 1; }
 
 }  // namespace
 
-void add_seconds_option(CommandOptions& command, std::optional<double>& seconds) {
-  command
-      .add_option(
-          "--seconds", seconds,
-          "End the search for a field after this many seconds, with the best plan found so far, which is "
-          "marked as cut short; Ctrl-C does the same to the search for a single field.")
-      .takes("S")
-      .positive()
-      .shows_default("no limit");
-}
-
 InterruptEndsSearches::InterruptEndsSearches() {
   struct sigaction action = {};
   action.sa_handler = note_interrupt;
@@ -33,8 +22,7 @@ InterruptEndsSearches::InterruptEndsSearches() {
 InterruptEndsSearches::~InterruptEndsSearches() { std::signal(SIGINT, SIG_DFL); }
 
 Demand SearchEnd::demand() const {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  return interrupted != 0 || (seconds_ && passed.count() >= *seconds_) ? Demand::kEnd : Demand::kGoOn;
+  return interrupted != 0 || time_.is_over() ? Demand::kEnd : Demand::kGoOn;
 }
 
 }  // namespace tramline::app

@@ -120,17 +120,6 @@ class Jobs {
 
 }  // namespace
 
-void add_machines_options(CommandOptions& command, MachinesOptions& o) {
-  command.begin_group("Several machines");
-  Option widths = command.add_option("--widths", o.widths,
-                                     "Compare the whole cost at these working widths, in metres, separated "
-                                     "by commas.");
-  Option machines = command.add_option("--machines", o.files,
-                                       "Compare the whole cost of these machine files, separated by commas.");
-  widths.takes("NUMBERS").shows_default("one machine");
-  machines.takes("FILES").shows_default("one machine").excludes(widths);
-}
-
 int run_job_costs(const JobCostRun& run, const FieldOptions& fields, const PlanOptions& options) {
   for (const Machine& machine : run.machines) validate_request(machine, run.objective, run.settings);
   const std::vector<std::string> inputs{fields.file, fields.obstacles_file, fields.passable_file,

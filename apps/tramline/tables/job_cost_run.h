@@ -5,20 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "options/command_options.h"
 #include "request/field_input.h"
 #include "request/plan_request.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::app {
-
-/// --widths and --machines as typed.
-struct MachinesOptions {
-  std::string widths, files;
-
-  bool asked() const { return !widths.empty() || !files.empty(); }
-};
-void add_machines_options(CommandOptions& command, MachinesOptions& options);
 
 struct JobCostRun {
   std::vector<Machine> machines;

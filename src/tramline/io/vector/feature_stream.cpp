@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "tramline/geometry/error.h"
@@ -16,6 +21,17 @@
 #include "tramline/io/vector/open_dataset.h"
 
 namespace tramline::io {
+namespace {
+
+/// Whether programs write this file of a dataset when they only look at it.
+bool may_be_made_anew(const std::string& name) {
+  constexpr std::array<std::string_view, 8> kEndings{".sbn", ".sbx", ".qix", ".idm",
+                                                     ".ind", "-wal", "-shm", "-journal"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+}  // namespace
 
 struct FeatureStream::Open {
   VectorQuery query;
@@ -56,6 +72,19 @@ FeatureStream::FeatureStream(const VectorQuery& query) : open_(std::make_unique<
 FeatureStream::~FeatureStream() = default;
 
 long long FeatureStream::count() const { return open_->count; }
+
+std::vector<std::string> FeatureStream::files() const {
+  std::set<std::string> out;
+  const auto add = [&](const std::string& name) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(name, error) && !may_be_made_anew(name)) out.insert(name);
+  };
+  add(open_->query.file);
+  char** const listed = open_->dataset->GetFileList();
+  for (char** name = listed; name != nullptr && *name != nullptr; ++name) add(*name);
+  CSLDestroy(listed);
+  return {out.begin(), out.end()};
+}
 
 RawDataset FeatureStream::read(long long first, long long most) {
   assert(first >= 0 && most >= 0);

@@ -1,0 +1,1 @@
+"""The program tramline as this plugin calls it. Nothing in here needs QGIS."""
