@@ -286,7 +286,7 @@ long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and 
 
 long-fuzz-readers: packages-lint build/fuzz/build.ninja ## the readers of fields, machines, plans and requests likewise, twelve minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
-	$(LIMIT) tools/fuzz.sh build/fuzz 720 field_file machine_file plan_text plan_file request_body
+	$(LIMIT) tools/fuzz.sh build/fuzz 720 field_file agopengps_folder machine_file plan_text plan_file request_body
 
 long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
 	cmake --build build/debug -j $(JOBS)

@@ -11,7 +11,7 @@
 #include "support/refusals.h"
 #include "support/temporary_folder.h"
 #include "tramline/io/agopengps/sections_log.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 #include "tramline/io/log/read_log.h"
 
 namespace tramline::io {
@@ -40,7 +40,7 @@ class FieldFolderTest : public testing::Test {
   testing_support::TemporaryFolder folder_;
 };
 
-// 100 m at 52°: by the radii of curvature of WGS 84, M = 6,375,095 m and N = 6,391,462 m (computed by hand).
+// 100 m at 52°: by the radii of curvature of WGS 84, M = 6,375,150 m and N = 6,391,435 m.
 TEST_F(FieldFolderTest, MetresBecomeDegreesAtTheStart) {
   const RawDataset field = field_in(folder());
   const std::vector<Point>& ring = field.layers.at(0).features.at(0).polygons.at(0).rings.at(0).points;

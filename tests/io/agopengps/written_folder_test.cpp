@@ -12,7 +12,7 @@
 #include "support/small_plan.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/io/export/export_plan.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 #include "tramline/io/terminal/terminal_field.h"
 
 namespace tramline::io {

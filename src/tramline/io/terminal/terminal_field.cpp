@@ -10,6 +10,7 @@
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/io/export/thinned_line.h"
 #include "tramline/model/headland.h"
 #include "tramline/model/track.h"
@@ -116,6 +117,13 @@ Region thinned_region(const Region& region, double tolerance_m) {
   return out;
 }
 
+/// Of a repair plan: the field without its obstacles and without the gaps that are still to be worked.
+Region land_worked_before(const Plan& plan) {
+  Region not_worked = plan.body;
+  for (const Obstacle& obstacle : plan.field.obstacles) not_worked.push_back(obstacle.shape);
+  return difference({{plan.field.outer, {}}}, unite(not_worked));
+}
+
 void require_a_place(const LocalFrame& frame, const std::string& field, const std::string& file) {
   if (!frame.geodetic)
     throw bad_input(
@@ -157,9 +165,10 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
   if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
-  if (is_repair(plan))
-    for (Polygon& gap : thinned_region(plan.body, tolerance_m))
-      out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
+  if (!is_repair(plan)) return out;
+  out.worked = land_worked_before(plan);
+  for (Polygon& gap : thinned_region(plan.body, tolerance_m))
+    out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
   return out;
 }
 
@@ -179,6 +188,7 @@ std::vector<TerminalField> terminal_fields(const Coverage& coverage, double tole
     field.outer = part.outer;
     for (const Ring& hole : part.holes)
       field.obstacles.push_back({{reversed(hole), {}}, ObstacleKind::kObstacle, ""});
+    field.worked = intersection(coverage.covered, {part});
     for (const Gap& gap : coverage.gaps)
       if (contains(part, gap.centre))
         field.gaps.push_back({gap.number, thinned_region({gap.shape}, tolerance_m).front()});
