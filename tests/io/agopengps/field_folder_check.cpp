@@ -1,7 +1,8 @@
-// Field folders against the plans that they were written of: for the long test of curated fields. A second reader and our
-// own find outlines and lines within 2 mm over 2 km, and as much more where a field is larger.
-// Usage: field_folder_check FOLDER PLAN [FOLDER PLAN]…   The folders have all lines (--lines all), and the usual
-// tolerance. It prints what is wrong and the largest deviation, and ends with 1 where anything is wrong.
+// Field folders against the plans that they were written of: for the long test of curated fields. A second
+// reader and our own find outlines and lines within 2 mm over 2 km, and as much more where a field is larger.
+// Usage: field_folder_check FOLDER PLAN [FOLDER PLAN]…   The folders have all lines (--lines all), and the
+// usual tolerance. It prints what is wrong and the largest deviation, and ends with 1 where anything is
+// wrong.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,8 @@ class Comparison {
   Comparison(std::string folder, const Plan& plan, Deviations& out)
       : folder_(std::move(folder)), plan_(plan), projection_(plan.field.frame), out_(out) {
     double farthest_m = 1000;  // from the origin, of a field of 2 km
-    for (const Point corner : plan.field.outer) farthest_m = std::max(farthest_m, std::hypot(corner.x, corner.y));
+    for (const Point corner : plan.field.outer)
+      farthest_m = std::max(farthest_m, std::hypot(corner.x, corner.y));
     most_m_ = 0.002 * farthest_m / 1000;
   }
 
@@ -51,7 +53,8 @@ class Comparison {
     ring(local(files.boundaries[0].places), plan_.field.outer);
     for (std::size_t i = 0; i < plan_.field.obstacles.size(); ++i)
       ring(local(files.boundaries[i + 1].places), plan_.field.obstacles[i].shape.outer);
-    if (files.tracks.size() != plan_.pieces.size() + plan_.headland.passes.size()) return say("has other tracks");
+    if (files.tracks.size() != plan_.pieces.size() + plan_.headland.passes.size())
+      return say("has other tracks");
     for (std::size_t i = 0; i < files.tracks.size(); ++i) line(files.tracks[i], i);
     our_reader(files);
   }
@@ -91,8 +94,8 @@ class Comparison {
 
   void line(const tramline::testing_agopengps::TrackLine& track, std::size_t i) {
     const bool piece = i < plan_.pieces.size();
-    const std::vector<Point> way = chords(piece ? centre_line(plan_.pieces[i])
-                                                : plan_.headland.passes[i - plan_.pieces.size()].path);
+    const std::vector<Point> way =
+        chords(piece ? centre_line(plan_.pieces[i]) : plan_.headland.passes[i - plan_.pieces.size()].path);
     near(local(track.a), way.front());
     near(local(track.b), way.back());
     ++out_.lines;
@@ -101,7 +104,8 @@ class Comparison {
       for (std::size_t k = 0; k + 1 < way.size(); ++k)
         off_m = std::min(off_m, distance_to_segment(local(place), way[k], way[k + 1]));
       out_.lines_m = std::max(out_.lines_m, off_m);
-      if (!(off_m <= kTolerance_m + most_m_)) return say(track.name + " is off by " + std::to_string(off_m) + " m");
+      if (!(off_m <= kTolerance_m + most_m_))
+        return say(track.name + " is off by " + std::to_string(off_m) + " m");
     }
   }
 
@@ -137,12 +141,14 @@ class Comparison {
 int main(int argc, char** argv) {
   Deviations all;
   try {
-    for (int i = 1; i + 1 < argc; i += 2) Comparison(argv[i], tramline::io::read_plan(argv[i + 1]), all).compare();
+    for (int i = 1; i + 1 < argc; i += 2)
+      Comparison(argv[i], tramline::io::read_plan(argv[i + 1]), all).compare();
   } catch (const std::exception& error) {
     std::printf("%s\n", error.what());
     ++all.faults;
   }
-  std::printf("AgOpenGPS: %d folders, %zu lines, %zu points off by %.4f m at most, curves by %.4f m, %d faults\n",
-              (argc - 1) / 2, all.lines, all.points, all.outlines_m, all.lines_m, all.faults);
+  std::printf(
+      "AgOpenGPS: %d folders, %zu lines, %zu points off by %.4f m at most, curves by %.4f m, %d faults\n",
+      (argc - 1) / 2, all.lines, all.points, all.outlines_m, all.lines_m, all.faults);
   return all.faults == 0 && all.points > 0 ? 0 : 1;
 }

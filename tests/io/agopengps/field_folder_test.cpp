@@ -135,7 +135,8 @@ TEST_F(FieldFolderTest, WhatCannotBeReadIsNamedWithItsLine) {
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "line 3: latitude 89 is too near to a pole"));
   write("Field.txt", "x\nStartFix\n52.0,5.0\n");
   write("Boundary.txt", "$Boundary\nFalse\n3\n0,0,0\n0,150000,0\n1,1,1\n");
-  EXPECT_TRUE(mentions(refusal_of([&] { field_in(folder()); }), "line 5: (0, 150000) is farther than 100 km"));
+  EXPECT_TRUE(
+      mentions(refusal_of([&] { field_in(folder()); }), "line 5: (0, 150000) is farther than 100 km"));
   write("Field.txt", "x\n");
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "StartFix"));
 }

@@ -160,8 +160,8 @@ double area_of(const std::vector<testing_agopengps::Patch>& patches, const Local
   double out = 0;
   for (const auto& patch : patches)
     for (std::size_t i = 0; i + 2 < patch.places.size(); ++i)
-      out += std::abs(signed_area(
-          {local(patch.places[i], frame), local(patch.places[i + 1], frame), local(patch.places[i + 2], frame)}));
+      out += std::abs(signed_area({local(patch.places[i], frame), local(patch.places[i + 1], frame),
+                                   local(patch.places[i + 2], frame)}));
   return out;
 }
 
@@ -172,19 +172,17 @@ TEST_F(WrittenFolderTest, APlanHasNoWorkedLand) {
   EXPECT_EQ(fs::file_size(folder_ / "Mill/Sections.txt"), 0U);
 }
 
-// 100 m by 6 m without a gap of 20 m by 3 m and a pond of 2 m by 2 m.
-TEST_F(WrittenFolderTest, OfARepairTheLandThatIsNoGapIsWorked) {
+// 100 m by 6 m without a gap of 20 m by 3 m.
+TEST_F(WrittenFolderTest, LandThatWasWorkedBeforeIsPatches) {
   Plan plan = testing_support::small_plan();
   plan.kind = PlanKind::kRepair;
   plan.body = {{{{30, 0}, {50, 0}, {50, 3}, {30, 3}}, {}}};
-  plan.field.obstacles = {{{{{80, 2}, {82, 2}, {82, 4}, {80, 4}}, {}}, ObstacleKind::kObstacle, "hole 1"}};
-  const TerminalField field = terminal_field(plan, LineChoice::kAll, 0.02, "plan.gpkg");
-  EXPECT_NEAR(area(field.worked), 600 - 60 - 4, 1e-6);
+  plan.worked = {{{{0, 0}, {30, 0}, {30, 3}, {50, 3}, {50, 0}, {100, 0}, {100, 6}, {0, 6}}, {}}};
   write_plan(plan, folder_ / "plan.gpkg");
   written("Mill");
   const FieldFiles read = read_plainly(folder_ / "Mill");
   // Sides of 3 and 20 m, whose ends are off by half a millimetre.
-  EXPECT_NEAR(area_of(read.patches, plan.field.frame), 600 - 60 - 4, 0.3);
+  EXPECT_NEAR(area_of(read.patches, plan.field.frame), 600 - 60, 0.3);
   for (const auto& patch : read.patches)
     for (const Place& place : patch.places) {
       const Point at = local(place, plan.field.frame);
@@ -198,11 +196,13 @@ TEST_F(WrittenFolderTest, OfACoverageTheWorkedLandIsReadBackAsALog) {
   coverage.frame = {true, 13, 52, 0, 0};
   coverage.field = {{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {}}};
   // 30 m wide with a gap inside, reaching 10 m beyond the field.
-  coverage.covered = {{{{-10, 10}, {100, 10}, {100, 40}, {-10, 40}}, {{{20, 20}, {20, 30}, {50, 30}, {50, 20}}}}};
+  coverage.covered = {
+      {{{-10, 10}, {100, 10}, {100, 40}, {-10, 40}}, {{{20, 20}, {20, 30}, {50, 30}, {50, 20}}}}};
   const TerminalField field = terminal_fields(coverage, 0.02, "coverage.gpkg").at(0);
   const auto files = agopengps_files(field, "strip");
   fs::create_directories(folder_ / "strip");
-  for (const NamedFile& file : files) std::ofstream(folder_ / "strip" / file.name, std::ios::binary) << file.content;
+  for (const NamedFile& file : files)
+    std::ofstream(folder_ / "strip" / file.name, std::ios::binary) << file.content;
   const FieldFiles read = read_plainly(folder_ / "strip");
   EXPECT_NEAR(area_of(read.patches, coverage.frame), 3000 - 300, 0.3);
   const WorkLog log = read_log((folder_ / "strip").string());
@@ -221,8 +221,9 @@ TEST_F(WrittenFolderTest, OfACoverageTheWorkedLandIsReadBackAsALog) {
 TEST_F(WrittenFolderTest, AnIslandNearTheEdgeHasNoHeadlandLineOfItsOwn) {
   Plan plan = testing_support::small_plan();
   plan.field.outer = {{0, 0}, {200, 0}, {200, 100}, {0, 100}};
-  plan.field.obstacles = {{{{{50, 3}, {60, 3}, {60, 9}, {50, 9}}, {}}, ObstacleKind::kObstacle, "hole 1"},
-                          {{{{120, 50}, {124, 50}, {124, 54}, {120, 54}}, {}}, ObstacleKind::kObstacle, "hole 2"}};
+  plan.field.obstacles = {
+      {{{{50, 3}, {60, 3}, {60, 9}, {50, 9}}, {}}, ObstacleKind::kObstacle, "hole 1"},
+      {{{{120, 50}, {124, 50}, {124, 54}, {120, 54}}, {}}, ObstacleKind::kObstacle, "hole 2"}};
   plan.body = {{{{6, 6}, {44, 6}, {44, 15}, {66, 15}, {66, 6}, {194, 6}, {194, 94}, {6, 94}},
                 {{{114, 44}, {114, 60}, {130, 60}, {130, 44}}}}};
   plan.headland.ground = {{plan.field.outer, {plan.body[0].outer}}};
@@ -237,8 +238,9 @@ TEST_F(WrittenFolderTest, AnIslandNearTheEdgeHasNoHeadlandLineOfItsOwn) {
 }
 
 TEST_F(WrittenFolderTest, WhatCannotBeWrittenIsNamedAsTheUserDoes) {
-  const std::string sentence =
-      testing_support::error_of([&] { write_folder({{"a/Field.txt", "x"}, {"a", "y"}}, folder_ / "Mill"); }).what();
+  const std::string sentence = testing_support::error_of([&] {
+                                 write_folder({{"a/Field.txt", "x"}, {"a", "y"}}, folder_ / "Mill");
+                               }).what();
   EXPECT_TRUE(testing_support::mentions(sentence, (folder_ / "Mill/a").string())) << sentence;
   EXPECT_FALSE(testing_support::mentions(sentence, ".part")) << sentence;
   EXPECT_FALSE(fs::exists(folder_ / "Mill"));

@@ -53,6 +53,8 @@ TEST_F(RouteFiles, APlanWithoutARouteIsRefused) {
 TEST_F(RouteFiles, ARepairPlanHasGapsAndPassesInGpxOnly) {
   Plan plan = testing_support::small_plan();
   plan.kind = PlanKind::kRepair;
+  plan.field.outer = {{0, -6}, {100, -6}, {100, 6}, {0, 6}};
+  plan.worked = {{{{0, -6}, {100, -6}, {100, 0}, {0, 0}}, {}}};
   EXPECT_TRUE(mentions(refusal(plan, "a.plan"), "a repair plan"));
   const RouteReport report = export_route({folder_ / "plan.gpkg", folder_ / "a.gpx", RouteFormat::kGpx});
   EXPECT_EQ(report.gaps, 1U);
@@ -64,7 +66,8 @@ TEST_F(RouteFiles, ARepairPlanHasGapsAndPassesInGpxOnly) {
   EXPECT_STREQ(place.child("desc").text().get(), "600.0 m²") << "100 m by 6 m";
   const FrameProjection projection(plan.field.frame);
   const auto at = [&](const pugi::xml_node& point) {
-    return projection.from_lonlat({point.attribute("lon").as_double(), point.attribute("lat").as_double()}).value();
+    return projection.from_lonlat({point.attribute("lon").as_double(), point.attribute("lat").as_double()})
+        .value();
   };
   EXPECT_TRUE(contains(plan.body.front(), at(place)));
   std::vector<std::string> names;

@@ -26,7 +26,8 @@ void for_each_plan(const std::vector<std::filesystem::path>& files, const std::s
   for (const std::filesystem::path& file : files) {
     if (is_coverage_file(file))
       throw bad_input(
-          fmt::format("{}: the coverage of a drive has no lines; export its gaps to .gpx, .geojson, .kml or .zip, or for a terminal",
+          fmt::format("{}: the coverage of a drive has no lines; export its gaps to .gpx, .geojson, .kml or "
+                      ".zip, or for a terminal",
                       file.string()));
     const std::vector<FieldNames> fields = fields_in(file);
     if (fields.empty() || !field.empty()) {

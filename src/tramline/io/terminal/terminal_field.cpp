@@ -117,13 +117,6 @@ Region thinned_region(const Region& region, double tolerance_m) {
   return out;
 }
 
-/// Of a repair plan: the field without its obstacles and without the gaps that are still to be worked.
-Region land_worked_before(const Plan& plan) {
-  Region not_worked = plan.body;
-  for (const Obstacle& obstacle : plan.field.obstacles) not_worked.push_back(obstacle.shape);
-  return difference({{plan.field.outer, {}}}, unite(not_worked));
-}
-
 void require_a_place(const LocalFrame& frame, const std::string& field, const std::string& file) {
   if (!frame.geodetic)
     throw bad_input(
@@ -165,8 +158,8 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
   if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
+  out.worked = plan.worked;
   if (!is_repair(plan)) return out;
-  out.worked = land_worked_before(plan);
   for (Polygon& gap : thinned_region(plan.body, tolerance_m))
     out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
   return out;
