@@ -1,6 +1,6 @@
 // Task sets of all curated real fields, one field and four hundred a set, in both versions, read by the npm package isoxml: no
 // warnings, the boundaries and holes of fields that were not repaired as their own file has them, and every point of every guidance
-// line as GeoJSON has it. TASK_SET_CHECK finds each set as the standard has it, and as our own reader reads it. Field folders of
+// line as OGR has it. TASK_SET_CHECK finds each set as the standard has it, and as our own reader reads it. Field folders of
 // AgOpenGPS are read by FOLDER_CHECK.
 // Usage: curated_fields.mjs FIELDS.geojson   (TRAMLINE, TASK_SET_CHECK and FOLDER_CHECK name the programs)
 import { execFileSync, spawnSync } from 'node:child_process';
@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { difference, readTaskSet, ringDifference } from './task_set.mjs';
 
-const IN_A_LARGE_SET = 400;
+const IN_A_LARGE_SET = Number(process.env.IN_A_LARGE_SET ?? 400);
 const [source] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'tramline-curated-'));
 const run = (...args) => execFileSync(process.env.TRAMLINE, args, { encoding: 'utf8', maxBuffer: 1 << 30 });
@@ -35,13 +35,11 @@ function compareOutline(where, field, id, untouched) {
   });
 }
 
-/** Lines of a layer of a plan, every point; none where the layer is empty. */
+/** Features of a layer of a plan file, as OGR has them in degrees: every vertex, and none between them. */
 function layerOf(plan, name) {
   const target = join(folder, 'layer.geojson');
   rmSync(target, { force: true });
-  const result = spawnSync(process.env.TRAMLINE, ['export', plan, '-o', target, '--layer', name, '--tolerance', '0', '--quiet'], { encoding: 'utf8' });
-  if (result.status === 2 && /there is nothing in layer/.test(result.stderr)) return [];
-  if (result.status !== 0) throw new Error(result.stderr);
+  execFileSync('ogr2ogr', ['-f', 'GeoJSON', '-t_srs', 'EPSG:4326', '-lco', 'COORDINATE_PRECISION=12', target, plan, name]);
   return JSON.parse(readFileSync(target, 'utf8')).features;
 }
 
