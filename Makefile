@@ -241,9 +241,10 @@ long-coverage: build ## 10,000 random drives and all real logs: the exact engine
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
 
-long-task-sets: build ## task sets of all curated real fields, 1 and 400 fields a set, read by an independent reader
-	cmake --build $(RELEASE) -j $(JOBS) --target task_set_check
-	TRAMLINE=$(TRAMLINE) CHECK=$(RELEASE)/tests/isoxml/task_set_check $(LIMIT) node tests/isoxml/curated_fields.mjs $(TRAMLINE_DATA)/fields/fields.geojson
+long-task-sets: build ## task sets and AgOpenGPS folders of all curated real fields, 1 and 400 fields a set, read by independent readers
+	cmake --build $(RELEASE) -j $(JOBS) --target task_set_check field_folder_check
+	TRAMLINE=$(TRAMLINE) TASK_SET_CHECK=$(RELEASE)/tests/isoxml/task_set_check \
+	  FOLDER_CHECK=$(RELEASE)/tests/io/agopengps/field_folder_check $(LIMIT) node tests/isoxml/curated_fields.mjs $(TRAMLINE_DATA)/fields/fields.geojson
 
 long-manoeuvres: build ## the shortest ways between 100,000 random pairs of poses: right, and no longer than OMPL's
 	TRAMLINE_CASES=100000 $(LIMIT) $(RELEASE)/tests/turns/test_turns_properties --gtest_filter='*Ompl'
@@ -295,7 +296,7 @@ long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and 
 
 long-fuzz-readers: packages-lint build/fuzz/build.ninja ## the readers of fields, machines, plans and requests likewise, twelve minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
-	$(LIMIT) tools/fuzz.sh build/fuzz 720 field_file machine_file plan_text plan_file request_body
+	$(LIMIT) tools/fuzz.sh build/fuzz 720 field_file agopengps_folder machine_file plan_text plan_file request_body
 
 long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
 	cmake --build build/debug -j $(JOBS)

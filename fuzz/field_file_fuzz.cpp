@@ -10,7 +10,7 @@
 
 #include "memory_file.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 
 namespace {
 

@@ -19,8 +19,8 @@ build_packages=(
 # bear Debian's beside it.
 command -v node >/dev/null || build_packages+=(nodejs)
 command -v npm >/dev/null || build_packages+=(npm)
-# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page, the others read routes.
-test_packages=(gpsd gpsd-clients chromium gpsbabel python3-yaml python3-jsonschema)
+# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page, the others read routes and cards.
+test_packages=(gpsd gpsd-clients chromium gpsbabel poppler-utils python3-yaml python3-jsonschema)
 # The Python package is tested with what its users have beside it.
 test_packages+=(python3-pytest python3-hypothesis python3-geopandas python3-shapely python3-matplotlib python3-distributed mypy)
 # The plugin for QGIS is tested in QGIS by a long test alone: it is large.

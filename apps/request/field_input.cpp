@@ -9,7 +9,7 @@
 #include "tramline/admission/admit.h"
 #include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 
 namespace tramline::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/kinked_offset.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 #include "tramline/io/machine/read_machine.h"
 #include "tramline/io/vector/read_vector.h"
 #include "tramline/model/limits.h"

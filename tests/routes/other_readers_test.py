@@ -10,7 +10,6 @@ import csv
 import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -20,10 +19,11 @@ import zipfile
 import jsonschema
 import yaml
 
+from same_line import Plane, farthest, run
+
 HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = HERE.parent.parent / "examples"
 TOLERANCE_M = 0.02  # of an export; twice where two of them are compared
-EARTH_M = 6371008.8
 TRAMLINE = ""
 
 DRONE = """name = "drone"
@@ -36,39 +36,6 @@ flight_altitude_m = 3.5
 takeoff_altitude_m = 6.0
 landing = "end"
 """
-
-
-def run(*args):
-    return subprocess.run(args, check=True, capture_output=True, text=True).stdout
-
-
-class Plane:
-    """Metres about a point, enough for the distances between two readings of one line."""
-
-    def __init__(self, lon, lat):
-        self.lon, self.lat = lon, lat
-        self.across = math.radians(1) * EARTH_M * math.cos(math.radians(lat))
-
-    def __call__(self, lonlat):
-        return ((lonlat[0] - self.lon) * self.across, (lonlat[1] - self.lat) * math.radians(1) * EARTH_M)
-
-
-def distance(p, a, b):
-    dx, dy = b[0] - a[0], b[1] - a[1]
-    square = dx * dx + dy * dy
-    share = 0 if square == 0 else max(0, min(1, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square))
-    return math.hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy)
-
-
-def farthest(points, line, most):
-    """The largest distance of the points from a line, both in driving order: each is looked for from where the last one was."""
-    worst, at = 0.0, 0
-    for p in points:
-        window = range(max(0, at - 3), min(len(line) - 1, at + 250))
-        off = [(distance(p, line[i], line[i + 1]), i) for i in window]
-        near, at = next((found for found in off if found[0] <= most), min(off))
-        worst = max(worst, near)
-    return worst
 
 
 class OtherReaders(unittest.TestCase):

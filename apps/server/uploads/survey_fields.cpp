@@ -11,7 +11,7 @@
 #include "server/uploads/survey_register.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/simplified_line.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 
 namespace tramline::server {
 namespace {

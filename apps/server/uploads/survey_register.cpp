@@ -13,7 +13,7 @@
 #include "tramline/geodesy/crs.h"
 #include "tramline/geometry/path/simplified_line.h"
 #include "tramline/geometry/polygon/region.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 
 namespace tramline::server {
 namespace {

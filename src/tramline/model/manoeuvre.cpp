@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "tramline/model/speeds.h"
+
 namespace tramline {
 namespace {
 
@@ -67,8 +69,7 @@ double seconds(const Manoeuvre& manoeuvre, const Machine& machine) {
   const Turning& turning = machine.turning;
   double sum = turning.gear_change_s * gear_changes(manoeuvre);
   for (const SteeredStretch& stretch : manoeuvre.path)
-    sum += stretch.length_m /
-           (stretch.gear == Gear::kForward ? turning.turning_speed_mps : turning.reverse_speed_mps);
+    sum += stretch.length_m / speed_with_work_off(stretch.gear, turning);
   return sum;
 }
 

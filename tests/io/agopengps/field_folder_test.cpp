@@ -11,7 +11,7 @@
 #include "support/refusals.h"
 #include "support/temporary_folder.h"
 #include "tramline/io/agopengps/sections_log.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/land/read_fields.h"
 #include "tramline/io/log/read_log.h"
 
 namespace tramline::io {
@@ -40,7 +40,7 @@ class FieldFolderTest : public testing::Test {
   testing_support::TemporaryFolder folder_;
 };
 
-// 100 m at 52°: by the radii of curvature of WGS 84, M = 6,375,095 m and N = 6,391,462 m (computed by hand).
+// 100 m at 52°: by the radii of curvature of WGS 84, M = 6,375,150 m and N = 6,391,435 m.
 TEST_F(FieldFolderTest, MetresBecomeDegreesAtTheStart) {
   const RawDataset field = field_in(folder());
   const std::vector<Point>& ring = field.layers.at(0).features.at(0).polygons.at(0).rings.at(0).points;
@@ -131,8 +131,24 @@ TEST_F(FieldFolderTest, WhatCannotBeReadIsNamedWithItsLine) {
   EXPECT_TRUE(mentions(refusal_of([&] { field_in(folder()); }), "no boundary"));
   write("Field.txt", "x\nStartFix\n95.0,5.0\n");
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "95"));
+  write("Field.txt", "x\nStartFix\n89.0,5.0\n");
+  EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "line 3: latitude 89 is too near to a pole"));
+  write("Field.txt", "x\nStartFix\n52.0,5.0\n");
+  write("Boundary.txt", "$Boundary\nFalse\n3\n0,0,0\n0,150000,0\n1,1,1\n");
+  EXPECT_TRUE(
+      mentions(refusal_of([&] { field_in(folder()); }), "line 5: (0, 150000) is farther than 100 km"));
   write("Field.txt", "x\n");
   EXPECT_TRUE(mentions(refusal_of([&] { folder(); }), "StartFix"));
+}
+
+// A degree of longitude is 68.7 km there: 2 km to the east of 179.99° lie beyond 180°.
+TEST_F(FieldFolderTest, FieldsMayLieAcrossTheDateLine) {
+  write("Field.txt", "x\nStartFix\n52.0,179.99\n");
+  write("Boundary.txt", "$Boundary\nFalse\n3\n0,0,0\n2000,0,0\n2000,100,0\n");
+  const RawDataset field = field_in(folder());
+  const Point east = field.layers.at(0).features.at(0).polygons.at(0).rings.at(0).points.at(1);
+  EXPECT_NEAR(east.x, -180 + 2000 / 68678.02 - 0.01, 1e-6);
+  EXPECT_NEAR(folder().plane().to_plane(east).x, 2000, 1e-6);
 }
 
 /// Damaged files are read as far as they make sense, or refused in a sentence.

@@ -100,6 +100,16 @@ FieldFiles read_plainly(const std::filesystem::path& folder) {
     track.places = start.places_in(tracks);
     out.tracks.push_back(track);
   }
+  std::ifstream sections = opened(folder / "Sections.txt");
+  while (sections.peek() != EOF) {
+    const std::size_t count = std::stoul(line_of(sections));
+    int red = 0, green = 0, blue = 0;
+    if (std::sscanf(line_of(sections).c_str(), "%d,%d,%d", &red, &green, &blue) != 3)
+      throw std::runtime_error("colour");
+    Patch& patch = out.patches.emplace_back();
+    for (std::size_t i = 1; i < count; ++i) patch.places.push_back(start.place_in(line_of(sections)));
+    if (patch.places.size() < 4 || patch.places.size() % 2 != 0) throw std::runtime_error("pairs");
+  }
   return out;
 }
 

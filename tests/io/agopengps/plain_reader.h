@@ -26,11 +26,17 @@ struct TrackLine {
   std::vector<Place> places;
 };
 
+/// A strip of worked land: left and right places in turn.
+struct Patch {
+  std::vector<Place> places;
+};
+
 struct FieldFiles {
   std::string name;
   std::vector<Boundary> boundaries;
   std::vector<std::vector<Place>> headlands;
   std::vector<TrackLine> tracks;
+  std::vector<Patch> patches;
 };
 
 /// Throws std::runtime_error where a file is not as described.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <limits>
 #include <numbers>
 
 #include "io/agopengps/plain_reader.h"
@@ -12,7 +14,10 @@
 #include "support/small_plan.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/io/export/export_plan.h"
-#include "tramline/io/isoxml/read_fields.h"
+#include "tramline/io/export/file_set.h"
+#include "tramline/io/land/read_fields.h"
+#include "tramline/io/log/read_log.h"
+#include "tramline/io/terminal/agopengps_folder.h"
 #include "tramline/io/terminal/terminal_field.h"
 
 namespace tramline::io {
@@ -148,6 +153,97 @@ TEST_F(WrittenFolderTest, HeadlandLinesEndWhereTheBodyBegins) {
   Ring line;
   for (const Place& place : read.headlands[1]) line.push_back(local(place, plan.field.frame));
   EXPECT_NEAR(signed_area(line), 15 * 13, 0.1);
+}
+
+/// Of triangles between each three places in turn, as AgOpenGPS draws and adds up a patch.
+double area_of(const std::vector<testing_agopengps::Patch>& patches, const LocalFrame& frame) {
+  double out = 0;
+  for (const auto& patch : patches)
+    for (std::size_t i = 0; i + 2 < patch.places.size(); ++i)
+      out += std::abs(signed_area({local(patch.places[i], frame), local(patch.places[i + 1], frame),
+                                   local(patch.places[i + 2], frame)}));
+  return out;
+}
+
+TEST_F(WrittenFolderTest, APlanHasNoWorkedLand) {
+  written("Mill");
+  EXPECT_TRUE(read_plainly(folder_ / "Mill").patches.empty());
+  EXPECT_TRUE(fs::exists(folder_ / "Mill/Sections.txt")) << "AgOpenGPS asks for the file";
+  EXPECT_EQ(fs::file_size(folder_ / "Mill/Sections.txt"), 0U);
+}
+
+// 100 m by 6 m without a gap of 20 m by 3 m.
+TEST_F(WrittenFolderTest, LandThatWasWorkedBeforeIsPatches) {
+  Plan plan = testing_support::small_plan();
+  plan.kind = PlanKind::kRepair;
+  plan.body = {{{{30, 0}, {50, 0}, {50, 3}, {30, 3}}, {}}};
+  plan.worked = {{{{0, 0}, {30, 0}, {30, 3}, {50, 3}, {50, 0}, {100, 0}, {100, 6}, {0, 6}}, {}}};
+  write_plan(plan, folder_ / "plan.gpkg");
+  written("Mill");
+  const FieldFiles read = read_plainly(folder_ / "Mill");
+  // Sides of 3 and 20 m, whose ends are off by half a millimetre.
+  EXPECT_NEAR(area_of(read.patches, plan.field.frame), 600 - 60, 0.3);
+  for (const auto& patch : read.patches)
+    for (const Place& place : patch.places) {
+      const Point at = local(place, plan.field.frame);
+      EXPECT_FALSE(at.x > 30.01 && at.x < 49.99 && at.y < 2.99) << "in the gap";
+    }
+}
+
+TEST_F(WrittenFolderTest, OfACoverageTheWorkedLandIsReadBackAsALog) {
+  Coverage coverage;
+  coverage.field_id = "strip";
+  coverage.frame = {true, 13, 52, 0, 0};
+  coverage.field = {{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {}}};
+  // 30 m wide with a gap inside, reaching 10 m beyond the field.
+  coverage.covered = {
+      {{{-10, 10}, {100, 10}, {100, 40}, {-10, 40}}, {{{20, 20}, {20, 30}, {50, 30}, {50, 20}}}}};
+  const TerminalField field = terminal_fields(coverage, 0.02, "coverage.gpkg").at(0);
+  const auto files = agopengps_files(field, "strip");
+  fs::create_directories(folder_ / "strip");
+  for (const NamedFile& file : files)
+    std::ofstream(folder_ / "strip" / file.name, std::ios::binary) << file.content;
+  const FieldFiles read = read_plainly(folder_ / "strip");
+  EXPECT_NEAR(area_of(read.patches, coverage.frame), 3000 - 300, 0.3);
+  const WorkLog log = read_log((folder_ / "strip").string());
+  double log_m2 = 0;
+  const FrameProjection projection(coverage.frame);
+  for (const Polygon& shape : log.shapes) {
+    Ring metres;
+    for (const Point p : shape.outer) metres.push_back(projection.from_lonlat(p).value());
+    log_m2 += std::abs(signed_area(metres));
+  }
+  EXPECT_NEAR(log_m2, 3000 - 300, 0.3);
+  EXPECT_EQ(log.shapes.size(), read.patches.size());
+}
+
+// The island's headland meets that of the edge: it has none of its own.
+TEST_F(WrittenFolderTest, AnIslandNearTheEdgeHasNoHeadlandLineOfItsOwn) {
+  Plan plan = testing_support::small_plan();
+  plan.field.outer = {{0, 0}, {200, 0}, {200, 100}, {0, 100}};
+  plan.field.obstacles = {
+      {{{{50, 3}, {60, 3}, {60, 9}, {50, 9}}, {}}, ObstacleKind::kObstacle, "hole 1"},
+      {{{{120, 50}, {124, 50}, {124, 54}, {120, 54}}, {}}, ObstacleKind::kObstacle, "hole 2"}};
+  plan.body = {{{{6, 6}, {44, 6}, {44, 15}, {66, 15}, {66, 6}, {194, 6}, {194, 94}, {6, 94}},
+                {{{114, 44}, {114, 60}, {130, 60}, {130, 44}}}}};
+  plan.headland.ground = {{plan.field.outer, {plan.body[0].outer}}};
+  write_plan(plan, folder_ / "plan.gpkg");
+  written("Mill");
+  const FieldFiles read = read_plainly(folder_ / "Mill");
+  ASSERT_EQ(read.boundaries.size(), 3U);
+  ASSERT_EQ(read.headlands.size(), 3U) << "one for each boundary, in their order";
+  EXPECT_EQ(read.headlands[0].size(), 8U);
+  EXPECT_TRUE(read.headlands[1].empty());
+  EXPECT_EQ(read.headlands[2].size(), 4U);
+}
+
+TEST_F(WrittenFolderTest, WhatCannotBeWrittenIsNamedAsTheUserDoes) {
+  const std::string sentence = testing_support::error_of([&] {
+                                 write_folder({{"a/Field.txt", "x"}, {"a", "y"}}, folder_ / "Mill");
+                               }).what();
+  EXPECT_TRUE(testing_support::mentions(sentence, (folder_ / "Mill/a").string())) << sentence;
+  EXPECT_FALSE(testing_support::mentions(sentence, ".part")) << sentence;
+  EXPECT_FALSE(fs::exists(folder_ / "Mill"));
 }
 
 TEST_F(WrittenFolderTest, SeveralPlansGetAFolderEach) {

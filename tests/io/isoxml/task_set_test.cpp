@@ -11,7 +11,6 @@
 #include "io/vector/files.h"
 #include "support/refusals.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/isoxml/read_fields.h"
 #include "tramline/io/isoxml/read_task_log.h"
 #include "tramline/io/isoxml/task_data.h"
 #include "tramline/io/isoxml/task_files.h"
@@ -202,48 +201,6 @@ TEST_F(TaskSet, PartfieldsOfVersion4HaveAPolygonEach) {
   EXPECT_EQ(fields.layers[1].features[0].polygons[0].rings[0].points, kPond);
   ASSERT_EQ(fields.skipped.size(), 1U);
   EXPECT_EQ(fields.skipped[0].what, "partfield PFD2");
-}
-
-TEST_F(TaskSet, PartfieldsAreChosenLikeFeaturesOfOtherFiles) {
-  const auto field = [](const std::string& id, const std::vector<Point>& points) {
-    return "<PFD A=\"" + id + "\"><PLN A=\"1\">" + ring("1", points) + "</PLN><PLN A=\"6\">" +
-           ring("1", kPond) + "</PLN></PFD>";
-  };
-  write("TASKDATA.XML", task_data(field("PFD1", kWest) + field("PFD2", kEast)));
-  VectorQuery query;
-  query.file = path("");
-  EXPECT_EQ(read_fields(query).layers.at(0).features.size(), 2U);
-  query.limit = 1;
-  EXPECT_EQ(read_fields(query).layers.at(0).features.size(), 1U);
-  EXPECT_EQ(read_fields(query).layers.at(0).matching, 2);
-  query.where = "id = 'PFD2'";
-  ASSERT_EQ(read_fields(query).layers.at(0).features.size(), 1U);
-  EXPECT_EQ(read_fields(query).layers.at(0).features[0].fid, 2);
-  query.layer = "obstacles";
-  EXPECT_EQ(read_fields(query).layers.at(0).features.at(0).polygons[0].rings[0].points, kPond);
-  query.layer = "roads";
-  EXPECT_REFUSED(read_fields(query));
-  query.layer_is_hint = true;
-  EXPECT_EQ(read_fields(query).layers.at(0).name, "partfields");
-  query.where = "id = 'PFD3'";
-  EXPECT_REFUSED(read_fields(query));
-  query.where = "area > 3";
-  EXPECT_REFUSED(read_fields(query));
-  query.where.clear();
-  query.fid = 1;
-  EXPECT_EQ(read_fields(query).layers.at(0).features.at(0).id, "PFD1");
-  query.fid = 3;
-  EXPECT_REFUSED(read_fields(query));
-  query.fid.reset();
-  query.all_layers = true;
-  EXPECT_EQ(read_fields(query).layers.size(), 2U);
-}
-
-TEST_F(TaskSet, OtherFilesAreReadAsBefore) {
-  VectorQuery query;
-  query.file =
-      write("field.geojson", R"({"type":"Polygon","coordinates":[[[10,52],[11,52],[11,53],[10,52]]]})");
-  EXPECT_EQ(read_fields(query).driver, "GeoJSON");
 }
 
 TEST_F(TaskSet, PartfieldsThatCannotBeReadAreTold) {

@@ -4,11 +4,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 #include "io/mission/small_route.h"
 #include "support/temporary_folder.h"
+#include "tramline/geodesy/field_projection.h"
 #include "tramline/io/export/export_plan.h"
 #include "tramline/io/machine/read_flight.h"
 #include "tramline/io/mission/route_texts.h"
@@ -44,6 +48,49 @@ class RouteFiles : public testing::Test {
 TEST_F(RouteFiles, APlanWithoutARouteIsRefused) {
   for (const char* file : {"a.gpx", "a.plan", "a.waypoints", "a.yaml", "a.json"})
     EXPECT_TRUE(mentions(refusal(testing_support::small_plan(), file), "no route")) << file;
+}
+
+TEST_F(RouteFiles, ARepairPlanHasGapsAndPassesInGpxOnly) {
+  Plan plan = testing_support::small_plan();
+  plan.kind = PlanKind::kRepair;
+  plan.field.outer = {{0, -6}, {100, -6}, {100, 6}, {0, 6}};
+  plan.worked = {{{{0, -6}, {100, -6}, {100, 0}, {0, 0}}, {}}};
+  EXPECT_TRUE(mentions(refusal(plan, "a.plan"), "a repair plan"));
+  const RouteReport report = export_route({folder_ / "plan.gpkg", folder_ / "a.gpx", RouteFormat::kGpx});
+  EXPECT_EQ(report.gaps, 1U);
+  EXPECT_EQ(report.points, 0U);
+  pugi::xml_document gpx;
+  ASSERT_TRUE(gpx.load_file((folder_ / "a.gpx").c_str()));
+  const pugi::xml_node place = gpx.child("gpx").child("wpt");
+  EXPECT_STREQ(place.child("name").text().get(), "Gap 1");
+  EXPECT_STREQ(place.child("desc").text().get(), "600.0 m²") << "100 m by 6 m";
+  const FrameProjection projection(plan.field.frame);
+  const auto at = [&](const pugi::xml_node& point) {
+    return projection.from_lonlat({point.attribute("lon").as_double(), point.attribute("lat").as_double()})
+        .value();
+  };
+  EXPECT_TRUE(contains(plan.body.front(), at(place)));
+  std::vector<std::string> names;
+  std::vector<std::size_t> points;
+  for (const pugi::xml_node track : gpx.child("gpx").children("trk")) {
+    names.emplace_back(track.child("name").text().get());
+    const auto range = track.child("trkseg").children("trkpt");
+    points.push_back(static_cast<std::size_t>(std::distance(range.begin(), range.end())));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"Gap 1", "Pass 1", "Pass 2"}));
+  EXPECT_EQ(points, (std::vector<std::size_t>{5, 2, 2}));
+  const pugi::xml_node last = gpx.child("gpx").last_child().child("trkseg").first_child();
+  EXPECT_LT(distance(at(last), {100, 4.5}), 0.001);
+}
+
+TEST_F(RouteFiles, NamesHaveNoControlCharactersInXml) {
+  Plan plan = plan_with_route();
+  plan.field.id = "a\x01<b>\n\tö";
+  write_plan(plan, folder_ / "plan.gpkg");
+  export_route({folder_ / "plan.gpkg", folder_ / "a.gpx", RouteFormat::kGpx});
+  std::ifstream file(folder_ / "a.gpx");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(text.find("<name>a_&lt;b&gt;__ö</name>"), std::string::npos) << text.substr(0, 300);
 }
 
 TEST_F(RouteFiles, PlainMetresAreForRobotsOnly) {

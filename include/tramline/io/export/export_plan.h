@@ -128,11 +128,12 @@ struct RouteReport {
   std::string field_id;
   std::size_t points = 0;
   double length_m = 0;
-  std::size_t gaps = 0;            ///< of a coverage file, which has no route
+  std::size_t gaps = 0;            ///< of a coverage file or a repair plan, which have no route
   std::vector<std::string> notes;  ///< what the file does not say, and why
 };
 
-/// Writes the route of one plan, or to GPX the gaps of a coverage file, a place and an outline each. Missions
+/// Writes the route of one plan, or to GPX the gaps of a coverage file or of a repair plan, a place and an
+/// outline each, with the passes of the latter. Missions
 /// have commands where speed, gear and work change, and those that fly take off and land; a .plan has a fence
 /// of field and obstacles where the route respects them. The same plan gives the same bytes. The file is
 /// written whole or not at all.

@@ -28,6 +28,8 @@ Point start_in(const std::string& path) {
     const std::vector<double> lat_lon = rows.numbers(2);
     const Point start{lat_lon[1], lat_lon[0]};
     if (const std::string fault = fault_of_lonlat(start); !fault.empty()) rows.refuse(fault);
+    if (std::abs(start.y) > LocalPlane::kMostLatitude_deg)
+      rows.refuse(fmt::format("latitude {} is too near to a pole for a plane of metres", start.y));
     return start;
   }
   throw bad_input(fmt::format("'{}' has no line StartFix, which says where the field lies", path));
@@ -80,7 +82,9 @@ Track next_track(FieldRows& rows) {
   rows.numbers(1);  // heading
   const Point a = rows.place(), b = rows.place();
   rows.numbers(1);  // nudge: how far the driver has moved it aside
-  out.mode = static_cast<int>(rows.numbers(1).front());
+  const std::string mode = rows.text();
+  out.mode = static_cast<int>(digits_in(mode).value_or(-1));
+  if (out.mode < 0) rows.refuse(fmt::format("a mode of the track is expected, not '{}'", mode));
   rows.text();  // shown or hidden
   out.points = rows.places(rows.count());
   if (out.mode == kAbMode) out.points = {a, b};
@@ -97,6 +101,17 @@ Track next_headline(FieldRows& rows) {
   return out;
 }
 
+/// The name, with a number where lines before it have the same: "AB 90", "AB 90 (2)".
+std::string id_of(const std::string& name, const RawLayer& layer) {
+  const auto taken = [&](const std::string& id) {
+    return std::any_of(layer.features.begin(), layer.features.end(),
+                       [&](const RawFeature& feature) { return feature.id == id; });
+  };
+  std::string out = name;
+  for (int number = 2; taken(out); ++number) out = fmt::format("{} ({})", name, number);
+  return out;
+}
+
 void add_guide(Track track, const FieldFolder& folder, RawDataset& dataset) {
   track.points.erase(std::unique(track.points.begin(), track.points.end()), track.points.end());
   if (track.mode == kPivotMode || track.points.size() < 2) {
@@ -109,7 +124,7 @@ void add_guide(Track track, const FieldFolder& folder, RawDataset& dataset) {
   RawLayer& layer = dataset.layers.front();
   RawFeature feature;
   feature.fid = std::ssize(layer.features) + 1;
-  feature.id = track.name;
+  feature.id = id_of(track.name, layer);
   feature.geometry_type = "Line String";
   feature.attributes["name"] = track.name;
   if (track.mode != kHeadlineMode) feature.attributes["role"] = "track";

@@ -40,8 +40,9 @@ class FieldFolder {
 RawDataset field_in(const FieldFolder& folder);
 
 /// Layer "guides": the tracks of TrackLines.txt, whose attribute "role" is "track" since they are the middle
-/// of one, and the headland lines of Headlines.txt, all called by their names. Those that are no line, such
-/// as pivots, are listed in `skipped`. WGS 84. Throws bad_input as field_in().
+/// of one, and the headland lines of Headlines.txt, all called by their names; the ids of lines that are
+/// called alike have a number, "AB 90 (2)". Those that are no line, such as pivots, are listed in `skipped`.
+/// WGS 84. Throws bad_input as field_in().
 RawDataset guides_in(const FieldFolder& folder);
 
 }  // namespace tramline::io

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 #include "tramline/geometry/error.h"
@@ -73,7 +74,11 @@ Point FieldRows::place() {
   auto values = numbers_in(line, 3);
   if (!values) values = numbers_in(line, 2);
   if (!values) refuse(fmt::format("easting, northing and heading are expected, not '{}'", line));
-  return {(*values)[0], (*values)[1]};
+  const Point out{(*values)[0], (*values)[1]};
+  if (!(std::abs(out.x) <= kFarthest_m && std::abs(out.y) <= kFarthest_m))
+    refuse(fmt::format("({:g}, {:g}) is farther than {:.0f} km from where the field was started", out.x,
+                       out.y, kFarthest_m / 1000));
+  return out;
 }
 
 std::vector<Point> FieldRows::places(std::size_t count) {

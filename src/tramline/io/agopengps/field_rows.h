@@ -13,6 +13,9 @@ namespace tramline::io {
 /// Lines of one file, without blanks around them. Errors name the file and the line.
 class FieldRows {
  public:
+  /// Fields do not reach so far from where they were started, m.
+  static constexpr double kFarthest_m = 100000;
+
   /// `path`: of the file. Throws bad_input where it cannot be opened.
   explicit FieldRows(const std::string& path);
 
@@ -27,7 +30,8 @@ class FieldRows {
   std::vector<double> numbers(std::size_t count);
   /// A count of lines to come. Throws bad_input where it is no whole number or more than there are.
   std::size_t count();
-  /// Easting and northing; a heading that follows is not used.
+  /// Easting and northing; a heading that follows is not used. Throws bad_input where it is no place, or one
+  /// farther than kFarthest_m from the start.
   Point place();
   std::vector<Point> places(std::size_t count);
 

@@ -22,16 +22,17 @@ double longitude_degree_m(double latitude_deg) {
 
 LocalPlane::LocalPlane(Point start_lonlat)
     : start_(start_lonlat), latitude_degree_m_(latitude_degree_m(start_lonlat.y)) {
-  assert(std::abs(start_lonlat.y) < 90);
+  assert(std::abs(start_lonlat.y) <= kMostLatitude_deg);
 }
 
 Point LocalPlane::to_plane(Point lonlat) const {
-  return {(lonlat.x - start_.x) * longitude_degree_m(lonlat.y), (lonlat.y - start_.y) * latitude_degree_m_};
+  return {std::remainder(lonlat.x - start_.x, 360) * longitude_degree_m(lonlat.y),
+          (lonlat.y - start_.y) * latitude_degree_m_};
 }
 
 Point LocalPlane::to_lonlat(Point metres) const {
   const double latitude = start_.y + metres.y / latitude_degree_m_;
-  return {start_.x + metres.x / longitude_degree_m(latitude), latitude};
+  return {std::remainder(start_.x + metres.x / longitude_degree_m(latitude), 360), latitude};
 }
 
 }  // namespace tramline::io

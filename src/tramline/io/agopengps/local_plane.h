@@ -10,10 +10,15 @@ namespace tramline::io {
 /// from one, which cancel where the same series lead back.
 class LocalPlane {
  public:
-  /// `start`: longitude and latitude of (0, 0), degrees on WGS 84. Precondition: not at a pole.
+  /// Beyond it degrees of longitude are too short for a plane.
+  static constexpr double kMostLatitude_deg = 85;
+
+  /// `start`: longitude and latitude of (0, 0), degrees on WGS 84. Precondition: no nearer to a pole than
+  /// kMostLatitude_deg.
   explicit LocalPlane(Point start_lonlat);
 
   Point to_plane(Point lonlat) const;
+  /// Longitudes in [-180, 180].
   Point to_lonlat(Point metres) const;
 
  private:

@@ -34,6 +34,14 @@ void put_into(const MemoryFolder& folder, const NamedFile& file) {
                             folder.string(), cause.message()));
 }
 
+/// The same error about the place that the user knows.
+Error with_place(const Error& error, const std::string& place, const std::string& known) {
+  std::string sentence = error.what();
+  if (const std::size_t at = sentence.find(place); at != std::string::npos)
+    sentence.replace(at, place.size(), known);
+  return Error(error.kind(), sentence);
+}
+
 /// A folder that disappears, with all that is in it, unless it gets its name.
 class UnfinishedFolder {
  public:
@@ -56,7 +64,11 @@ class UnfinishedFolder {
     std::error_code cause;
     fs::create_directories(path.parent_path(), cause);
     if (cause) refuse_folder(target_, cause);
-    write_whole(path, std::as_bytes(std::span(file.content.data(), file.content.size())));
+    try {
+      write_whole(path, std::as_bytes(std::span(file.content.data(), file.content.size())));
+    } catch (const Error& error) {
+      throw with_place(error, path.string(), (target_ / file.name).string());
+    }
   }
 
   /// An empty folder of that name is replaced.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -28,9 +29,16 @@ pugi::xml_node add_gpx_point(pugi::xml_node parent, const char* element, Point l
   return node;
 }
 
+/// XML has no control characters, not even as numbers.
+std::string without_controls(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20; }, '_');
+  return text;
+}
+
 pugi::xml_node add_track(pugi::xml_node root, const std::string& name) {
   pugi::xml_node track = root.append_child("trk");
-  track.append_child("name").text() = name.c_str();
+  track.append_child("name").text() = without_controls(name).c_str();
   return track.append_child("trkseg");
 }
 
@@ -50,21 +58,27 @@ std::string gpx_text(const Plan& plan, const std::vector<WayPoint>& route) {
   return text_in(document);
 }
 
-std::string gaps_gpx_text(const Coverage& coverage) {
+std::string gaps_gpx_text(const LocalFrame& frame, const std::vector<Gap>& gaps,
+                          const std::vector<NamedTrack>& tracks) {
   pugi::xml_document document;
   pugi::xml_node root = root_of(document);
-  const FrameProjection projection(coverage.frame);
+  const FrameProjection projection(frame);
+  const auto add = [&](const std::string& name, const std::vector<Point>& line) {
+    pugi::xml_node segment = add_track(root, name);
+    for (const Point p : line) add_gpx_point(segment, "trkpt", projection.to_lonlat(p));
+    return segment;
+  };
   // Places come before tracks (GPX 1.1).
-  for (const Gap& gap : coverage.gaps) {
+  for (const Gap& gap : gaps) {
     pugi::xml_node place = add_gpx_point(root, "wpt", projection.to_lonlat(gap.centre));
     place.append_child("name").text() = fmt::format("Gap {}", gap.number).c_str();
     place.append_child("desc").text() = fmt::format("{:.1f} m²", gap.area_m2).c_str();
   }
-  for (const Gap& gap : coverage.gaps) {
-    pugi::xml_node segment = add_track(root, fmt::format("Gap {}", gap.number));
-    for (const Point corner : gap.shape.outer) add_gpx_point(segment, "trkpt", projection.to_lonlat(corner));
+  for (const Gap& gap : gaps) {
+    pugi::xml_node segment = add(fmt::format("Gap {}", gap.number), gap.shape.outer);
     add_gpx_point(segment, "trkpt", projection.to_lonlat(gap.shape.outer.front()));
   }
+  for (const NamedTrack& track : tracks) add(track.name, track.points);
   return text_in(document);
 }
 

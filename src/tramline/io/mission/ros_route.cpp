@@ -4,6 +4,7 @@
 
 #include "tramline/io/mission/route_texts.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/speeds.h"
 
 namespace tramline::io {
 namespace {
@@ -36,12 +37,12 @@ const char* type_of(const SteeredStretch& stretch) {
   return stretch.curvature_at_start == 0 ? "line" : "arc";
 }
 
-ordered_json segment_json(const RouteLeg& leg, const SteeredStretch& stretch, const Machine& machine) {
+ordered_json segment_json(const RouteLeg& leg, const SteeredStretch& stretch, const Turning& turning) {
   return {{"type", type_of(stretch)},
           {"leg", name(leg.kind)},
           {"gear", name(stretch.gear)},
           {"work", leg.work},
-          {"speed_mps", speed_of(leg, machine)},
+          {"speed_mps", speed_of(leg, turning)},
           {"length_m", stretch.length_m},
           {"curvature_at_start", plain_zero(stretch.curvature_at_start)},
           {"curvature_at_end", plain_zero(stretch.curvature_at_end)},
@@ -65,7 +66,7 @@ ordered_json ros_route(const Plan& plan, const std::vector<WayPoint>& route) {
   ordered_json segments = ordered_json::array();
   for (const RouteLeg& leg : plan.route.legs)
     for (const SteeredStretch& stretch : leg.path)
-      if (stretch.length_m > 0) segments.push_back(segment_json(leg, stretch, plan.machine));
+      if (stretch.length_m > 0) segments.push_back(segment_json(leg, stretch, plan.machine.turning));
   return {{"field", plan.field.id},
           {"frame_id", kFrame},
           {"datum", datum_json(plan.field.frame)},

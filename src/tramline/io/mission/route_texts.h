@@ -30,8 +30,16 @@ std::vector<NamedFile> wpml_files(const Plan& plan, const std::vector<WayPoint>&
 /// GPX 1.1: one track of one segment.
 std::string gpx_text(const Plan& plan, const std::vector<WayPoint>& route);
 
-/// GPX 1.1: a place for each gap, named by its number, with its area, and its outline as a track.
-std::string gaps_gpx_text(const Coverage& coverage);
+/// A line with a name, local metres.
+struct NamedTrack {
+  std::string name;
+  std::vector<Point> points;
+};
+
+/// GPX 1.1: a place for each gap, named by its number, with its area, and its outline as a track; then the
+/// tracks. Frame: `frame`, which is geodetic.
+std::string gaps_gpx_text(const LocalFrame& frame, const std::vector<Gap>& gaps,
+                          const std::vector<NamedTrack>& tracks);
 
 /// The route for robots: `datum`, the place of the frame's origin; `path`, a nav_msgs/Path of all points;
 /// `segments`, the exact stretches with type, gear, speed, curvature and work. Frame: x east, y north,

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tramline/model/speeds.h"
+
 namespace tramline::io {
 namespace {
 
@@ -28,16 +30,11 @@ void add(std::vector<WayPoint>& points, const WayPoint& point) {
 
 }  // namespace
 
-double speed_of(const RouteLeg& leg, const Machine& machine) {
-  if (leg.gear == Gear::kReverse) return machine.turning.reverse_speed_mps;
-  return leg.work ? machine.turning.working_speed_mps : machine.turning.turning_speed_mps;
-}
-
 std::vector<WayPoint> way_points(const Plan& plan, double tolerance_m) {
   assert(plan.route.planned() && tolerance_m > 0);
   std::vector<WayPoint> out;
   for (const RouteLeg& leg : plan.route.legs) {
-    const double speed_mps = speed_of(leg, plan.machine);
+    const double speed_mps = speed_of(leg, plan.machine.turning);
     for (const SteeredStretch& stretch : leg.path) {
       const auto reached = [&](const Pose& pose) {
         return WayPoint{pose.at, pose.heading, stretch.gear, speed_mps, leg.work};

@@ -19,9 +19,6 @@ struct WayPoint {
   bool work = false;
 };
 
-/// The speed at which a leg is driven, m/s: at work, with the work off or in reverse.
-double speed_of(const RouteLeg& leg, const Machine& machine);
-
 /// The route from its first place to its last; the lines between the points stay within `tolerance_m` of it.
 /// Ends of legs are points. O(n) in stretches and points. Preconditions: the plan has a route; tolerance_m >
 /// 0.

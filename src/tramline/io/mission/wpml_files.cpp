@@ -13,8 +13,13 @@ namespace tramline::io {
 namespace {
 
 // Limits of the format: metres a second, metres, and the number of points, which are counted from 0 to 65535.
-constexpr double kSlowest_mps = 1, kFastest_mps = 15, kLowestTakeOff_m = 1.2, kHighest_m = 1500;
+constexpr double kSlowest_mps = 1, kFastest_mps = 15, kLowestTakeOff_m = 1.2, kLowestReturn_m = 2,
+                 kHighest_m = 1500;
 constexpr std::size_t kMostPoints = 65536;
+/// A drone that passes a point leaves its line so far before it, m, but for a share of the shorter way beside
+/// the point: those of two points may not meet. A chord deviates from its arc by more than such a corner.
+constexpr double kMostDamping_m = 0.2, kDampedShare = 0.4;
+constexpr const char* kPassing = "toPointAndPassWithContinuityCurvature";
 
 /// Climbing less than this before the mission begins is not allowed, so a lower take-off is refused.
 void require_limits(const Plan& plan, const std::vector<WayPoint>& route, const Flight& flight) {
@@ -38,7 +43,8 @@ void add(pugi::xml_node parent, const char* name, const std::string& text) {
   parent.append_child(name).text() = text.c_str();
 }
 
-std::string metres(double value) { return fmt::format("{:.2f}", value); }
+/// Metres, metres a second or seconds.
+std::string two_decimals(double value) { return fmt::format("{:.2f}", value); }
 
 /// The head of either file; returns its Document.
 pugi::xml_node head_of(pugi::xml_document& file) {
@@ -57,8 +63,10 @@ void add_mission(pugi::xml_node document, const Flight& flight, double transit_m
   add(mission, "wpml:finishAction", flight.landing == Landing::kEnd ? "autoLand" : "goHome");
   add(mission, "wpml:exitOnRCLost", "executeLostAction");
   add(mission, "wpml:executeRCLostAction", "goBack");
-  add(mission, "wpml:takeOffSecurityHeight", metres(flight.takeoff_altitude_m));
-  add(mission, "wpml:globalTransitionalSpeed", metres(transit_mps));
+  add(mission, "wpml:takeOffSecurityHeight", two_decimals(flight.takeoff_altitude_m));
+  add(mission, "wpml:globalTransitionalSpeed", two_decimals(transit_mps));
+  add(mission, "wpml:globalRTHHeight",
+      two_decimals(std::max({kLowestReturn_m, flight.altitude_m, flight.takeoff_altitude_m})));
 }
 
 void add_place(pugi::xml_node placemark, Point lonlat, std::size_t index) {
@@ -66,11 +74,45 @@ void add_place(pugi::xml_node placemark, Point lonlat, std::size_t index) {
   add(placemark, "wpml:index", std::to_string(index));
 }
 
-void add_heading_and_turn(pugi::xml_node parent, const char* heading, const char* turn) {
-  add(parent.append_child(heading), "wpml:waypointHeadingMode", "followWayline");
-  pugi::xml_node mode = parent.append_child(turn);
-  add(mode, "wpml:waypointTurnMode", "toPointAndPassWithContinuityCurvature");
-  add(mode, "wpml:waypointTurnDampingDist", "0");
+void add_heading(pugi::xml_node parent, const char* element) {
+  pugi::xml_node heading = parent.append_child(element);
+  add(heading, "wpml:waypointHeadingMode", "followWayline");
+  add(heading, "wpml:waypointHeadingPathMode", "followBadArc");  // the shorter way round
+}
+
+void add_turn(pugi::xml_node placemark, double damping_m) {
+  pugi::xml_node turn = placemark.append_child("wpml:waypointTurnParam");
+  add(turn, "wpml:waypointTurnMode", kPassing);
+  add(turn, "wpml:waypointTurnDampingDist", fmt::format("{:.4f}", damping_m));
+  add(placemark, "wpml:useStraightLine", "1");
+}
+
+/// A point as both files have it.
+struct DjiPoint {
+  Point lonlat;
+  double speed_mps = 0;  ///< with which the way from it is flown
+  double damping_m = 0;
+};
+
+std::vector<DjiPoint> dji_points(const std::vector<WayPoint>& route, const LocalFrame& frame) {
+  const FrameProjection projection(frame);
+  std::vector<DjiPoint> out;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    const std::size_t next = std::min(i + 1, route.size() - 1), before = i > 0 ? i - 1 : next;
+    double beside_m = distance(route[i].at, route[before].at);
+    if (next > i) beside_m = std::min(beside_m, distance(route[i].at, route[next].at));
+    // Of a way point the speed is that of the way to it.
+    out.push_back({projection.to_lonlat(route[i].at), route[next].speed_mps,
+                   std::min(kMostDamping_m, kDampedShare * beside_m)});
+  }
+  return out;
+}
+
+double seconds_of(const std::vector<WayPoint>& route) {
+  double out = 0;
+  for (std::size_t i = 1; i < route.size(); ++i)
+    out += distance(route[i - 1].at, route[i].at) / route[i].speed_mps;
+  return out;
 }
 
 std::string text_of(const pugi::xml_document& file) {
@@ -79,7 +121,7 @@ std::string text_of(const pugi::xml_document& file) {
   return out.str();
 }
 
-std::string template_text(const std::vector<Point>& places, const Plan& plan, const Flight& flight) {
+std::string template_text(const std::vector<DjiPoint>& points, const Plan& plan, const Flight& flight) {
   pugi::xml_document file;
   pugi::xml_node document = head_of(file);
   const std::string time_ms = fmt::format("{}", static_cast<long long>(time_of_files()) * 1000);
@@ -93,24 +135,28 @@ std::string template_text(const std::vector<Point>& places, const Plan& plan, co
   pugi::xml_node system = folder.append_child("wpml:waylineCoordinateSysParam");
   add(system, "wpml:coordinateMode", "WGS84");
   add(system, "wpml:heightMode", "relativeToStartPoint");
-  add(folder, "wpml:autoFlightSpeed", metres(plan.machine.turning.working_speed_mps));
-  add(folder, "wpml:globalHeight", metres(flight.altitude_m));
-  add(folder, "wpml:globalWaypointTurnMode", "toPointAndPassWithContinuityCurvature");
+  add(folder, "wpml:autoFlightSpeed", two_decimals(plan.machine.turning.working_speed_mps));
+  add(folder, "wpml:gimbalPitchMode", "manual");
+  add(folder, "wpml:globalHeight", two_decimals(flight.altitude_m));
+  add(folder, "wpml:globalWaypointTurnMode", kPassing);
   add(folder, "wpml:globalUseStraightLine", "1");
-  add(folder.append_child("wpml:globalWaypointHeadingParam"), "wpml:waypointHeadingMode", "followWayline");
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  add_heading(folder, "wpml:globalWaypointHeadingParam");
+  for (std::size_t i = 0; i < points.size(); ++i) {
     pugi::xml_node placemark = folder.append_child("Placemark");
-    add_place(placemark, places[i], i);
-    add(placemark, "wpml:ellipsoidHeight", metres(flight.altitude_m));
-    add(placemark, "wpml:height", metres(flight.altitude_m));
-    for (const char* global : {"wpml:useGlobalHeight", "wpml:useGlobalSpeed", "wpml:useGlobalHeadingParam",
-                               "wpml:useGlobalTurnParam"})
-      add(placemark, global, "1");
+    add_place(placemark, points[i].lonlat, i);
+    add(placemark, "wpml:ellipsoidHeight", two_decimals(flight.altitude_m));
+    add(placemark, "wpml:height", two_decimals(flight.altitude_m));
+    add(placemark, "wpml:useGlobalHeight", "1");
+    add(placemark, "wpml:useGlobalSpeed", "0");
+    add(placemark, "wpml:waypointSpeed", two_decimals(points[i].speed_mps));
+    add(placemark, "wpml:useGlobalHeadingParam", "1");
+    add(placemark, "wpml:useGlobalTurnParam", "0");
+    add_turn(placemark, points[i].damping_m);
   }
   return text_of(file);
 }
 
-std::string waylines_text(const std::vector<Point>& places, const std::vector<WayPoint>& route,
+std::string waylines_text(const std::vector<DjiPoint>& points, const std::vector<WayPoint>& route,
                           const Plan& plan, const Flight& flight) {
   pugi::xml_document file;
   pugi::xml_node document = head_of(file);
@@ -119,15 +165,16 @@ std::string waylines_text(const std::vector<Point>& places, const std::vector<Wa
   add(folder, "wpml:templateId", "0");
   add(folder, "wpml:executeHeightMode", "relativeToStartPoint");
   add(folder, "wpml:waylineId", "0");
-  add(folder, "wpml:autoFlightSpeed", metres(plan.machine.turning.working_speed_mps));
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  add(folder, "wpml:distance", two_decimals(length_of(route)));
+  add(folder, "wpml:duration", two_decimals(seconds_of(route)));
+  add(folder, "wpml:autoFlightSpeed", two_decimals(plan.machine.turning.working_speed_mps));
+  for (std::size_t i = 0; i < points.size(); ++i) {
     pugi::xml_node placemark = folder.append_child("Placemark");
-    add_place(placemark, places[i], i);
-    add(placemark, "wpml:executeHeight", metres(flight.altitude_m));
-    // The speed of a point is that with which the way from it is flown.
-    add(placemark, "wpml:waypointSpeed", metres(route[std::min(i + 1, route.size() - 1)].speed_mps));
-    add_heading_and_turn(placemark, "wpml:waypointHeadingParam", "wpml:waypointTurnParam");
-    add(placemark, "wpml:useStraightLine", "1");
+    add_place(placemark, points[i].lonlat, i);
+    add(placemark, "wpml:executeHeight", two_decimals(flight.altitude_m));
+    add(placemark, "wpml:waypointSpeed", two_decimals(points[i].speed_mps));
+    add_heading(placemark, "wpml:waypointHeadingParam");
+    add_turn(placemark, points[i].damping_m);
   }
   return text_of(file);
 }
@@ -137,11 +184,9 @@ std::string waylines_text(const std::vector<Point>& places, const std::vector<Wa
 std::vector<NamedFile> wpml_files(const Plan& plan, const std::vector<WayPoint>& route,
                                   const Flight& flight) {
   require_limits(plan, route, flight);
-  const FrameProjection projection(plan.field.frame);
-  std::vector<Point> places;
-  for (const WayPoint& point : route) places.push_back(projection.to_lonlat(point.at));
-  return {{"wpmz/template.kml", template_text(places, plan, flight)},
-          {"wpmz/waylines.wpml", waylines_text(places, route, plan, flight)}};
+  const std::vector<DjiPoint> points = dji_points(route, plan.field.frame);
+  return {{"wpmz/template.kml", template_text(points, plan, flight)},
+          {"wpmz/waylines.wpml", waylines_text(points, route, plan, flight)}};
 }
 
 }  // namespace tramline::io

@@ -10,6 +10,7 @@
 
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/angle.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/io/agopengps/local_plane.h"
 #include "tramline/io/geopackage/time_stamp.h"
 
@@ -149,6 +150,22 @@ std::string tracks_text(const TerminalField& field, const Placing& place) {
   return out;
 }
 
+/// Patches of worked land: a count, a colour, and places on the left and the right of a strip in turn. A
+/// strip of three corners has the last one twice.
+std::string sections_text(const TerminalField& field, const Placing& place) {
+  std::string out;
+  for (const Polygon& part : field.worked)
+    for (const Polygon& triangle : triangles_of(part)) {
+      const Ring& corners = triangle.outer;
+      fmt::format_to(std::back_inserter(out), "5{e}27,151,160{e}", fmt::arg("e", kEnd));
+      for (const std::size_t i : {0U, 1U, 2U, 2U}) {
+        add_place(out, place(corners[i]));
+        fmt::format_to(std::back_inserter(out), ",0{}", kEnd);
+      }
+    }
+  return out;
+}
+
 }  // namespace
 
 std::vector<NamedFile> agopengps_files(const TerminalField& field, const std::string& folder_name) {
@@ -157,7 +174,7 @@ std::vector<NamedFile> agopengps_files(const TerminalField& field, const std::st
           {"Boundary.txt", boundary_text(field, place)},
           {"Headland.txt", headland_text(field, place)},
           {"TrackLines.txt", tracks_text(field, place)},
-          {"Sections.txt", ""}};
+          {"Sections.txt", sections_text(field, place)}};
 }
 
 }  // namespace tramline::io

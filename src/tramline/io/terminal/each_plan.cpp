@@ -1,5 +1,7 @@
 #include "tramline/io/terminal/each_plan.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "tramline/geometry/error.h"
@@ -22,6 +24,11 @@ void for_each_plan(const std::vector<std::filesystem::path>& files, const std::s
                    const std::function<void(const Plan& plan, const std::string& file)>& use) {
   require_one_choice(files, field);
   for (const std::filesystem::path& file : files) {
+    if (is_coverage_file(file))
+      throw bad_input(
+          fmt::format("{}: the coverage of a drive has no lines; export its gaps to .gpx, .geojson, .kml or "
+                      ".zip, or for a terminal",
+                      file.string()));
     const std::vector<FieldNames> fields = fields_in(file);
     if (fields.empty() || !field.empty()) {
       use(read_plan(file, field), file.string());

@@ -14,7 +14,8 @@ namespace tramline::io {
 
 /// Calls `use` with every plan of the files, in their order, and with the name of its file; one plan is in
 /// memory at a time. `field`: key or id of the only one wanted, which has to be in the only file; empty: all.
-/// Throws Error(kBadInput) where there is no file, `field` is given with several, or as read_plan().
+/// Throws Error(kBadInput) where there is no file, `field` is given with several, a file is one of coverage,
+/// or as read_plan().
 void for_each_plan(const std::vector<std::filesystem::path>& files, const std::string& field,
                    const std::function<void(const Plan& plan, const std::string& file)>& use);
 

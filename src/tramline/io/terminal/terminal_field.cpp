@@ -10,6 +10,7 @@
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/io/export/thinned_line.h"
 #include "tramline/model/headland.h"
 #include "tramline/model/track.h"
@@ -157,9 +158,10 @@ TerminalField terminal_field(const Plan& plan, LineChoice choice, double toleran
   out.headland = thinned_region(plan.headland.ground, tolerance_m);
   if (!out.headland.empty()) out.body = thinned_region(plan.body, tolerance_m);
   out.lines = lines_of(plan, choice, tolerance_m);
-  if (is_repair(plan))
-    for (Polygon& gap : thinned_region(plan.body, tolerance_m))
-      out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
+  out.worked = plan.worked;
+  if (!is_repair(plan)) return out;
+  for (Polygon& gap : thinned_region(plan.body, tolerance_m))
+    out.gaps.push_back({static_cast<int>(out.gaps.size()) + 1, std::move(gap)});
   return out;
 }
 
@@ -179,6 +181,7 @@ std::vector<TerminalField> terminal_fields(const Coverage& coverage, double tole
     field.outer = part.outer;
     for (const Ring& hole : part.holes)
       field.obstacles.push_back({{reversed(hole), {}}, ObstacleKind::kObstacle, ""});
+    field.worked = intersection(coverage.covered, {part});
     for (const Gap& gap : coverage.gaps)
       if (contains(part, gap.centre))
         field.gaps.push_back({gap.number, thinned_region({gap.shape}, tolerance_m).front()});

@@ -45,6 +45,7 @@ struct TerminalField {
   Region body;  ///< the land that tracks work; empty: there is no headland
   std::vector<TerminalLine> lines;
   std::vector<NumberedGap> gaps;  ///< of a coverage or a repair plan
+  Region worked;                  ///< land of the field that was worked before
 };
 
 /// The lines of a plan. Of a subfield with straight tracks it is the line of its longest track, prolonged to

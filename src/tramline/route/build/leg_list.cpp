@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/geometry/index/edge_index.h"
+#include "tramline/model/speeds.h"
 #include "tramline/turns/track_ends.h"
 
 namespace tramline {
@@ -96,9 +97,7 @@ void LegList::add(const HeadlandPass& pass, std::size_t number, const PassEntry&
 }
 
 double leg_seconds(const RouteLeg& leg, Gear before, const Turning& turning) {
-  const double idle_mps = leg.gear == Gear::kForward ? turning.turning_speed_mps : turning.reverse_speed_mps;
-  const double speed_mps = leg.work ? turning.working_speed_mps : idle_mps;
-  return length(leg) / speed_mps + (leg.gear != before ? turning.gear_change_s : 0);
+  return length(leg) / speed_of(leg, turning) + (leg.gear != before ? turning.gear_change_s : 0);
 }
 
 std::vector<RouteLeg> LegList::finished() && {

@@ -1,13 +1,8 @@
 #include "tramline/route/connection/way.h"
 
+#include "tramline/model/speeds.h"
+
 namespace tramline {
-namespace {
-
-double speed_mps(Gear gear, const Turning& turning) {
-  return gear == Gear::kForward ? turning.turning_speed_mps : turning.reverse_speed_mps;
-}
-
-}  // namespace
 
 double idle_seconds(const SteeredPath& path, const Turning& turning) {
   double out = 0;
@@ -15,7 +10,7 @@ double idle_seconds(const SteeredPath& path, const Turning& turning) {
   for (const SteeredStretch& stretch : path) {
     if (stretch.gear != gear) out += turning.gear_change_s;
     gear = stretch.gear;
-    out += stretch.length_m / speed_mps(gear, turning);
+    out += stretch.length_m / speed_with_work_off(gear, turning);
   }
   return gear == Gear::kReverse ? out + turning.gear_change_s : out;
 }

@@ -136,6 +136,7 @@ class LegsCheck {
     if (jump > kTimeShare / radius_m) add(leg, "has a jump of curvature", next.start.at, jump);
   }
 
+  /// By its own reckoning of length and speed: what plans are timed with is not asked.
   void check_time(std::size_t i, Gear before) {
     const RouteLeg& leg = legs_[i];
     double length_m = 0;

@@ -114,6 +114,7 @@ class TurnCheck {
       add_at("has a jump of curvature", path()[i + 1].start.at, jump);
   }
 
+  /// By its own reckoning, as of the legs of routes.
   void check_time() {
     double time_s = turning_.gear_change_s * gear_changes_of(path());
     for (const SteeredStretch& stretch : path())
