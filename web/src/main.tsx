@@ -8,6 +8,7 @@ import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';
 import { App } from './app';
+import { t } from './words';
 
 applyTheme();
 // A page of a machine opens at its top, whatever was read last.
@@ -17,7 +18,7 @@ render(<App />, document.getElementById('page')!);
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
-  complain('Drop the file on the dashed box, or choose it with the button there.');
+  complain(t`Drop the file on the dashed box, or choose it with the button there.`);
 });
 watchServer(() => void comeBack());
 planAtChanges();

@@ -11,6 +11,7 @@ import { note } from './notices';
 import { stopReplay } from './replay';
 import { show } from './session';
 import { asOne, uploadFile } from './upload';
+import { t } from '../words';
 
 export async function loadDrives(): Promise<void> {
   const list = await api.drives();
@@ -23,14 +24,14 @@ export async function takeLogFile(files: File[]): Promise<void> {
   if (upload.kind === 'fields' || nothingDriven) {
     // A task set without logs is no mistake: its fields open.
     show('fields');
-    note(`${upload.name} has no log. Its fields are here.`);
+    note(t`${upload.name} has no log. Its fields are here.`);
     return takeFields(upload);
   }
   if (upload.kind !== 'log') {
-    const what = upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
+    const what = upload.kind === 'plan' ? t`a plan, not a log: choose the file that the machine wrote` : null;
     throw new ApiError(
       'bad_input',
-      what ? `${upload.name} is ${what}.` : `${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? t`${upload.name} is ${what}.` : t`${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }

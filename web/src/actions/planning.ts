@@ -7,6 +7,7 @@ import { form, isShowing, requestOf } from '../state/plan_form';
 import { plans } from '../state/plans';
 import { attempt, note } from './notices';
 import { loadPlans, openPlan, showPlan } from './plans';
+import { t } from '../words';
 
 let run = 0;
 let timer = 0;
@@ -29,7 +30,7 @@ async function finish(job: Job, mine: number, open: (plan: string) => Promise<un
   try {
     const result = await follow(job, (state) => mine === run && plans.set({ job: state }));
     if (mine !== run || !result.plan) return;
-    if (fields.get().open?.id !== field) return note('The plan of the field before is made: it opens with its field.');
+    if (fields.get().open?.id !== field) return note(t`The plan of the field before is made: it opens with its field.`);
     await open(result.plan);
     await loadPlans(field);
   } catch (error) {

@@ -6,6 +6,7 @@ import { openStream, type Stream } from '../api/event_stream';
 import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../api/types';
 import { replay } from '../state/replay';
 import { complain } from './notices';
+import { t } from '../words';
 
 type Draw = (frame: WorkFrame | null) => void;
 let draw: Draw = () => {};
@@ -60,7 +61,7 @@ function run(drive: string, at_s: number, only: boolean): void {
     shut();
     if (!replay.get().playing) return;
     replay.set({ playing: false });
-    complain('The replay was interrupted. Press Play to continue from here.');
+    complain(t`The replay was interrupted. Press Play to continue from here.`);
   });
 }
 

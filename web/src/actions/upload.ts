@@ -5,6 +5,7 @@ import type { Upload } from '../api/types';
 import { megabytes } from '../format';
 import { fields } from '../state/fields';
 import { session } from '../state/session';
+import { t } from '../words';
 
 /** While `what` is being done the page says so. */
 export async function busy<R>(what: string, action: () => Promise<R>): Promise<R> {
@@ -21,11 +22,11 @@ function assertSize(file: File): void {
   if (limit !== undefined && file.size > limit) {
     throw new ApiError(
       'too_large',
-      `${file.name} is ${megabytes(file.size)} large, but the server takes at most ${megabytes(limit)}. Split it into smaller files, or zip it.`,
+      t`${file.name} is ${megabytes(file.size)} large, but the server takes at most ${megabytes(limit)}. Split it into smaller files, or zip it.`,
       413,
     );
   }
-  if (file.size === 0) throw new ApiError('bad_input', `${file.name} is empty. Choose another file.`, 400);
+  if (file.size === 0) throw new ApiError('bad_input', t`${file.name} is empty. Choose another file.`, 400);
 }
 
 /** Files that belong together, such as .shp, .shx and .dbf, go as one archive. */
@@ -41,5 +42,5 @@ export async function asOne(files: File[]): Promise<File> {
 /** Sends a file, unless its size already says that the server cannot take it. */
 export async function uploadFile(file: File): Promise<Upload> {
   assertSize(file);
-  return busy(`Reading ${file.name} …`, () => api.upload(file));
+  return busy(t`Reading ${file.name} …`, () => api.upload(file));
 }

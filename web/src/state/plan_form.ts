@@ -1,6 +1,7 @@
 // What the user asks a plan for.
 import type { Asked, EndRule, Machine, Place, PlanFull, PlanRequest, PlanSettings, Prices } from '../api/types';
 import { store } from './store';
+import { t } from '../words';
 
 export type Shape = 'straight' | 'curved' | 'auto';
 /** What plans are compared by: the whole job at the rates of the machine, or tracks alone at prices of their own. */
@@ -152,17 +153,17 @@ export interface CompareRequest {
 /** Passes that are left to turns are as many as the plan on the map has all round. */
 export function compareRequestOf(value: PlanForm, field: string, passes: number, land: Prices = value.prices): CompareRequest {
   const instead: string[] = [];
-  if (value.by === 'whole') instead.push('Tracks are compared by themselves, without the way between them.');
-  if (value.line) instead.push('Tracks go in every direction, not only along the line that is chosen.');
-  if (value.shape !== 'straight') instead.push('All tracks are straight.');
-  const settle = (asked: Passes, usual: number, what: string) => {
+  if (value.by === 'whole') instead.push(t`Tracks are compared by themselves, without the way between them.`);
+  if (value.line) instead.push(t`Tracks go in every direction, not only along the line that is chosen.`);
+  if (value.shape !== 'straight') instead.push(t`All tracks are straight.`);
+  const settle = (asked: Passes, usual: number) => {
     if (asked !== 'auto') return asked;
-    instead.push(`${usual === 0 ? 'No' : usual} headland ${usual === 1 ? 'pass' : 'passes'} ${what}.`);
+    instead.push(usual === 0 ? t`No headland passes go round the field.` : t`Headland passes round the field: ${usual}.`);
     return usual;
   };
   const tracks: PlanForm = {
     ...value, by: value.by === 'whole' ? 'prices' : value.by, prices: value.by === 'whole' ? land : value.prices, route: false, shape: 'straight', line: null,
-    headlands: settle(value.headlands, passes, 'go round the field'),
+    headlands: settle(value.headlands, passes),
     obstacle_headlands: value.obstacle_headlands === 'auto' ? 0 : value.obstacle_headlands,
   };
   const request = requestOf(tracks, field);

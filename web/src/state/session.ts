@@ -19,7 +19,9 @@ export const session = store<{
   view: View;
   theme: Theme;
   tiles: boolean;
-}>({ info: null, reachable: true, locked: false, view: 'fields', theme: remembered(), tiles: false });
+  /** Language and units are open to be changed. */
+  settings: boolean;
+}>({ info: null, reachable: true, locked: false, view: 'fields', theme: remembered(), tiles: false, settings: false });
 
 export const dark = matchMedia('(prefers-color-scheme: dark)');
 export const isNight = () => session.get().theme === 'night' || (session.get().theme === 'auto' && dark.matches);
