@@ -4,6 +4,7 @@ import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
 import { calledField, fields } from '../state/fields';
+import { hand } from '../state/hand';
 import { form, OF_THE_FIELD } from '../state/plan_form';
 import { plans } from '../state/plans';
 import { review } from '../state/review';
@@ -22,6 +23,7 @@ async function opened(field: FieldFull, plan: string | null = null): Promise<voi
   if (fields.get().open?.id !== field.id) {
     closePlan();
     form.set(OF_THE_FIELD);
+    hand.set({ past: [], future: [], best: null });
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });

@@ -33,10 +33,10 @@ function assertSize(file: File): void {
 export async function asOne(files: File[]): Promise<File> {
   const [first] = files;
   if (files.length === 1 && first) return first;
-  const { zipSync } = await import('fflate');
+  const { zipped } = await import('./one_archive');
   const entries = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const));
   const main = files.find(({ name }) => /\.(shp|xml|gml|tab|mif)$/i.test(name)) ?? files[0]!;
-  return new File([zipSync(Object.fromEntries(entries), { level: 1 })], main.name.replace(/\.[^.]+$/, '.zip'));
+  return new File([zipped(Object.fromEntries(entries))], main.name.replace(/\.[^.]+$/, '.zip'));
 }
 
 /** Sends a file, unless its size already says that the server cannot take it. */

@@ -35,7 +35,7 @@ async function send(method: string, path: string, body?: unknown, signal?: Abort
   return response;
 }
 
-async function failure(response: Response): Promise<ApiError> {
+export async function failure(response: Response): Promise<ApiError> {
   let code = 'failed';
   let message = t`The server answered with the status ${response.status}. Try again, or look at what the server prints.`;
   try {
@@ -69,6 +69,7 @@ const id = encodeURIComponent;
 
 export const api = {
   info: () => json<T.ServerInfo>('GET', ''),
+  addresses: () => json<{ addresses: string[] }>('GET', '/session'),
   session: (token: string) => json<void>('POST', '/session', { token }),
 
   upload: (file: File) => json<T.Upload>('POST', `/uploads?name=${id(file.name)}`, file),

@@ -53,7 +53,7 @@ function keepTheme(map: GlMap): void {
     night = isNight();
     const colours = night ? NIGHT : DAY;
     const visibility = map.getStyle().layers.map((layer) => [layer.id, layer.layout?.visibility] as const);
-    for (const layer of mapStyle(colours, session.get().info?.tiles ?? null).layers) {
+    for (const layer of mapStyle(colours, session.get().info).layers) {
       for (const [name, value] of Object.entries(layer.paint ?? {})) map.setPaintProperty(layer.id, name, value);
     }
     for (const [layer, value] of visibility) if (value) map.setLayoutProperty(layer, 'visibility', value);
@@ -99,7 +99,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   maplibregl.setWorkerUrl('/map-worker.js');
   const map = new maplibregl.Map({
     container,
-    style: mapStyle(isNight() ? NIGHT : DAY, session.get().info?.tiles ?? null),
+    style: mapStyle(isNight() ? NIGHT : DAY, session.get().info),
     center: START,
     zoom: 15,
     maxZoom: 22,

@@ -1,7 +1,7 @@
 // The metre grid under everything, and the scale bar.
 import type { GeoJSONSource, LayerSpecification, Map as GlMap } from 'maplibre-gl';
 import type { Feature, Place } from '../api/types';
-import { between, degreeLengths, moved, roundStep_m } from './metres';
+import { between, degreeLengths, moved, roundStep_m } from '../metres';
 import type { Colours } from './palette';
 
 const LEAST_PX = 64;

@@ -30,7 +30,7 @@ export const isNight = () => session.get().theme === 'night' || (session.get().t
 export function tilesHost(): string {
   const tiles = session.get().info?.tiles;
   try {
-    return tiles ? new URL(tiles).host : '';
+    return tiles ? new URL(tiles, location.origin).host : '';
   } catch {
     return tiles ?? '';
   }

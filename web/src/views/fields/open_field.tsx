@@ -2,7 +2,7 @@ import { drawFor } from '../../actions/drawing';
 import { changeField } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
-import type { FieldFull, Place } from '../../api/types';
+import type { FieldFull, Geometry, Place } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
@@ -27,7 +27,7 @@ export function OpenField({ field }: { field: FieldFull }) {
       <Findings field={field} />
       <Obstacles field={field} />
       <AddObstacle />
-      <Button onClick={() => drawFor('boundary', (boundary) => changeField({ boundary }), ringOf(field))}>{t`Change the boundary`}</Button>
+      <Button onClick={() => drawFor('boundary', (boundary) => changeField({ boundary }), { places: ringOf(field) })}>{t`Change the boundary`}</Button>
       <Button kind="main" onClick={() => show('plan')}>{t`Plan this field`}</Button>
     </section>
   );
@@ -39,11 +39,15 @@ function ringOf(field: FieldFull): Place[] {
   return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
 }
 
-/** The corners of an obstacle as it lies on the field. */
-function obstacleRing(field: FieldFull, number: number): Place[] {
+function obstacleRings(field: FieldFull, number: number): Place[][] {
   const shape = field.shapes.features.find(({ properties }) => properties['number'] === number && properties['kind'] !== 'field')?.geometry;
-  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
+  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][]) : [];
 }
+/** The corners of an obstacle as it lies on the field. */
+const obstacleRing = (field: FieldFull, number: number): Place[] => obstacleRings(field, number)[0]?.slice(0, -1) ?? [];
+/** An outline that was drawn anew keeps the land within it that is none of the obstacle. */
+const withHoles = (outline: Geometry, field: FieldFull, number: number): Geometry =>
+  ({ ...outline, coordinates: [...(outline.coordinates as Place[][]), ...obstacleRings(field, number).slice(1)] });
 
 function Findings({ field }: { field: FieldFull }) {
   const { repairs, skipped, warnings } = field;
@@ -94,7 +98,7 @@ function Obstacles({ field }: { field: FieldFull }) {
               {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
             </span>
             <Button kind="quiet" aria-label={t`Change obstacle ${number}`}
-              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry }] }), obstacleRing(field, number))}>{t`Change`}</Button>
+              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places: obstacleRing(field, number) })}>{t`Change`}</Button>
             <Button kind="quiet" aria-label={t`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>{t`Remove`}</Button>
           </li>
         ))}

@@ -6,9 +6,9 @@ import type { Place } from '../../api/types';
 import { hectares, metres, plural, squareMetres } from '../../format';
 import { unitOf } from '../../measures';
 import { engine } from '../../map/engine_loader';
-import { distance, moved, ringArea } from '../../map/metres';
+import { distance, moved, ringArea } from '../../metres';
 import { Button } from '../../parts/button';
-import { closed, drawing, least, single, type Purpose } from '../../state/drawing';
+import { closed, drawing, fixedEnds, least, single, type Purpose } from '../../state/drawing';
 import { useStore } from '../../state/store';
 import { t } from '../../words';
 
@@ -20,6 +20,12 @@ const WORDS: Record<Purpose, { title: string; done: string }> = {
   'obstacle-area': { title: t`Click or tap the corners of the obstacle.`, done: t`Add the obstacle` },
   guide: { title: t`Click or tap the points of the line that the tracks are to follow.`, done: t`Follow this line` },
   gate: { title: t`Click or tap the gate of the field.`, done: t`Take this place` },
+  direction: { title: t`Drag an end of the line: tracks turn with it, and the first swath begins at it.`, done: t`Keep this direction` },
+  skip: { title: t`Click or tap the corners of the area that no swath may enter.`, done: t`Forbid this area` },
+  exempt: { title: t`Click or tap the corners of the area that need not be worked.`, done: t`Exempt this area` },
+  subfield: { title: t`Click or tap the corners of the subfield; over the edge of the field is fine.`, done: t`Make it a subfield` },
+  cut: { title: t`Click or tap the points of the line that divides the field.`, done: t`Cut here` },
+  lock: { title: t`Click or tap the corners of the part whose tracks stay as they are.`, done: t`Keep this part` },
   edge: { title: t`Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.`, done: '' },
 };
 
@@ -39,12 +45,12 @@ export function DrawingBar() {
       <p>
         {title} {places.length > 0 && <strong>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose === 'obstacle-area' ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
       </p>
-      {purpose !== 'edge' && <TypedPlace last={last ?? null} />}
+      {purpose !== 'edge' && !fixedEnds(purpose) && <TypedPlace last={last ?? null} />}
       <div class="row">
         {purpose !== 'edge' && <Button kind="main" disabled={places.length < least(purpose)} onClick={() => void finish()}>{done}</Button>}
         {purpose !== 'edge' && <Button disabled={past === 0} onClick={undo}>{t`Undo`}</Button>}
         {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>{t`Redo`}</Button>}
-        {purpose !== 'edge' && !single(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>{t`Delete the corner`}</Button>}
+        {purpose !== 'edge' && !single(purpose) && !fixedEnds(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>{t`Delete the corner`}</Button>}
         <Button onClick={stop}>{t`Cancel`}</Button>
       </div>
     </div>

@@ -3,7 +3,7 @@ import { attempt } from '../../actions/notices';
 import { planAlong } from '../../actions/planning';
 import type { PlanFull, Place } from '../../api/types';
 import { degrees, hours, money } from '../../format';
-import { moved } from '../../map/metres';
+import { moved } from '../../metres';
 import { Button } from '../../parts/button';
 import { costOf, form } from '../../state/plan_form';
 import { useStore } from '../../state/store';

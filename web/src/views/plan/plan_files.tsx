@@ -27,7 +27,7 @@ export function PlanFiles({ plan }: { plan: PlanFull }) {
       <ul class="files">
         {FILES.map(({ format, name, what, crs: takes }) => (
           <li key={format}>
-            <a class="file" href={planFile(plan.id, format, takes ? crs : '')} download
+            <a class="file" href={planFile(plan.id, format, takes && crs ? { crs } : {})} download
               onClick={() => plan.draft && void attempt(() => keepPlan(plan.id))}>
               <Icon name="down" />
               <span class="grow"><strong>{name}</strong><span class="sub">{what}</span></span>

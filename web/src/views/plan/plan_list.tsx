@@ -5,7 +5,6 @@ import { planFile } from '../../api/addresses';
 import type { PlanItem } from '../../api/types';
 import { hours, money, plural, squareMetres, when, width } from '../../format';
 import { Expander } from '../../parts/expander';
-import { fields } from '../../state/fields';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
@@ -17,7 +16,6 @@ export function PlanList() {
   useStore(form, (value) => value); // costs of tracks are counted at its prices
   const list = useStore(plans, (value) => value.list);
   const open = useStore(plans, (value) => value.open?.id);
-  const reshaped = useStore(fields, (value) => value.open?.reshaped ?? '');
   if (list.length === 0) return null;
   return (
     <section aria-label={t`Plans of this field`}>
@@ -30,7 +28,7 @@ export function PlanList() {
                 <span class="grow">
                   <strong>{plan.name}{plan.draft ? t` (draft)` : ''}</strong>
                   <span class="sub">{t`${when(plan.created)} · ${width(plan.width_m)} wide${plan.kind === 'repair' ? t` · repair` : ''}`}</span>
-                  {plan.created < reshaped && <span class="sub fault">{t`of an earlier shape of the field`}</span>}
+                  {plan.earlier_shape && <span class="sub fault">{t`of an earlier shape of the field`}</span>}
                   <span class="sub">{t`${costs(plan)} · ${squareMetres(plan.uncovered_m2)} uncovered`}</span>
                 </span>
               </button>

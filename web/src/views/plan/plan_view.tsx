@@ -12,6 +12,7 @@ import { NoField } from '../no_field';
 import { CheckPlan } from './check_plan';
 import { CostsForm } from './costs_form';
 import { EndsForm } from './ends_form';
+import { HandForm } from './hand_form';
 import { MachineForm } from './machine_form';
 import { PlanBar } from './plan_bar';
 import { PlanFigures } from './plan_figures';
@@ -21,6 +22,7 @@ import { PlanList } from './plan_list';
 import { RepairCosts } from './repair_costs';
 import { RouteFigures } from './route_figures';
 import { RouteForm } from './route_form';
+import { TakeAlong } from './take_along';
 import { TracksForm } from './tracks_form';
 import { t } from '../../words';
 
@@ -57,6 +59,7 @@ export function PlanView() {
       {open?.explain?.repair && <RepairCosts repair={open.explain.repair} />}
       {open && <PlanBar plan={open} />}
       {open?.summary.route && <RouteFigures plan={open} route={open.summary.route} />}
+      {open && open.kind !== 'repair' && <HandForm plan={open} />}
       <PlanList />
       <form onSubmit={(event) => { event.preventDefault(); submit(event.currentTarget); }}>
         <MachineForm />
@@ -74,6 +77,7 @@ export function PlanView() {
         <Switch on={again} label={t`Plan again automatically when something changes`} change={(on) => form.set({ again: on })} />
       </form>
       {open && <CheckPlan plan={open} />}
+      {open && <TakeAlong plan={open} />}
       {open && <PlanFiles plan={open} />}
     </>
   );

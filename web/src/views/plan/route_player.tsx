@@ -20,7 +20,7 @@ export function RoutePlayer({ plan }: { plan: PlanFull }) {
   const mine = state.plan === plan.id;
   const at = mine ? state.at_s : 0;
   const playing = mine && state.playing;
-  const { leg, litres: fuel, euros } = soFar(route, plan.summary.whole_cost, at);
+  const { leg, litres: fuel, euros } = soFar(plan, at);
   const now = route.legs[leg];
   return (
     <div class="replay" role="group" aria-label={t`Drive the route`}>

@@ -1,9 +1,10 @@
 // Tracks along an edge of the field, or along a line that is drawn.
 import { drawFor, pickEdge } from '../../actions/drawing';
+import { edit } from '../../actions/hand';
 import type { Place } from '../../api/types';
 import { degrees, length } from '../../format';
 import { openEdges } from '../../map/edges';
-import { bearing, distance } from '../../map/metres';
+import { bearing, distance } from '../../metres';
 import { Button } from '../../parts/button';
 import { Choice, Select } from '../../parts/choice';
 import { form, type Shape } from '../../state/plan_form';
@@ -37,11 +38,11 @@ export function TracksForm() {
           ...(line && !picked ? [{ value: 'line', label: t`a line, ${said(line)}` }] : []),
           ...edges.map((edge) => ({ value: String(edge.number), label: t`edge ${edge.number}: ${length(edge.length_m)}, towards ${degrees(edge.bearing_deg)}` })),
         ]}
-        change={(value) => value !== 'line' && form.set({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
+        change={(value) => value !== 'line' && edit({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
       <div class="row">
         <Button onClick={pickEdge}>{t`Pick an edge`}</Button>
-        <Button onClick={() => drawFor('guide', async (geometry) => form.set({ line: geometry.coordinates as Place[] }))}>{t`Draw a line`}</Button>
-        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>{t`Remove the line`}</Button>}
+        <Button onClick={() => drawFor('guide', async (geometry) => edit({ line: geometry.coordinates as Place[] }))}>{t`Draw a line`}</Button>
+        {line && <Button kind="quiet" onClick={() => edit({ line: null })}>{t`Remove the line`}</Button>}
       </div>
     </section>
   );

@@ -1,4 +1,5 @@
 // Large figures for the cab: how far off the line, how fast, and whether at work.
+import type { FixQuality } from '../../api/types';
 import { metres, speed } from '../../format';
 import { offLine } from '../../map/guidance';
 import { plans } from '../../state/plans';
@@ -6,8 +7,17 @@ import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
 import { t } from '../../words';
 
+/** How good a position is, and about how near it is to the truth. */
+const QUALITIES: Record<FixQuality, { short: string; about: string }> = {
+  'rtk fixed': { short: t`RTK`, about: t`to about 2 cm` },
+  'rtk float': { short: t`RTK float`, about: t`to some decimetres` },
+  differential: { short: t`DGPS`, about: t`to about a metre` },
+  single: { short: t`GPS`, about: t`to some metres` },
+  estimated: { short: t`Guessed`, about: t`without satellites` },
+};
+
 export function CabFigures() {
-  const { at, heading_deg, speed_mps, working } = useStore(replay, (value) => value);
+  const { at, heading_deg, speed_mps, working, quality } = useStore(replay, (value) => value);
   const plan = useStore(plans, (value) => value.open);
   const shapes = useStore(plans, (value) => value.shapes);
   if (!at) return null;
@@ -20,6 +30,7 @@ export function CabFigures() {
         <dd>{off === null ? '–' : metres(Math.abs(off.right_m))}<span class="sub">{off === null ? (plan ? t`no line near` : t`no plan open`) : side}</span></dd>
       </div>
       <div><dt>{t`Speed`}</dt><dd>{speed(speed_mps)}</dd></div>
+      {quality && <div class={quality === 'rtk fixed' ? '' : 'doubtful'}><dt>{t`Position`}</dt><dd>{QUALITIES[quality].short}<span class="sub">{QUALITIES[quality].about}</span></dd></div>}
       <div><dt>{t`Work`}</dt><dd>{working ? t`on` : t`off`}</dd></div>
     </dl>
   );

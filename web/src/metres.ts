@@ -1,7 +1,7 @@
 // Metres about a place, for what is drawn on the screen: grid, scale bar, drawing by metres. Good to a part
 // in a thousand over a few kilometres; the library's own planes are what counts.
-import type { Place } from '../api/types';
-import { unitOf } from '../measures';
+import type { Place } from './api/types';
+import { unitOf } from './measures';
 
 const A = 6378137;
 const E2 = 0.00669437999014;
