@@ -15,8 +15,8 @@ export interface Display {
   steps: string[];
   /** Guidance lines of it may be one for each subfield, or all. */
   lines?: true;
-  /** A mission, which may be flown. */
-  flown?: true;
+  /** A mission, which may be flown, or is always. */
+  flown?: 'may be' | 'always';
 }
 
 const ISOXML_4: Wanted = { format: 'isoxml4', label: t`Task set, ISOXML 4` };
@@ -52,15 +52,15 @@ export const DISPLAYS: Display[] = [
   },
   {
     key: 'qgc', label: 'QGroundControl, PX4, ArduPilot', files: [{ format: 'mission', label: t`Mission, .plan` }],
-    steps: [t`In QGroundControl choose Plan, File, Open.`, t`Look at the whole route there, then upload it to the vehicle.`], flown: true,
+    steps: [t`In QGroundControl choose Plan, File, Open.`, t`Look at the whole route there, then upload it to the vehicle.`], flown: 'may be',
   },
   {
     key: 'planner', label: 'Mission Planner', files: [{ format: 'waypoints', label: t`Mission, .waypoints` }],
-    steps: [t`In Mission Planner choose Plan, Load File.`, t`Look at the whole route there, then write it to the vehicle.`], flown: true,
+    steps: [t`In Mission Planner choose Plan, Load File.`, t`Look at the whole route there, then write it to the vehicle.`], flown: 'may be',
   },
   {
     key: 'dji', label: 'DJI Pilot 2, DJI Fly', files: [{ format: 'dji', label: t`Flight route, .kmz` }],
-    steps: [t`Copy the file to the remote control and import it under Flight route.`, t`It says way, height and speed, and not when to spray.`], flown: true,
+    steps: [t`Copy the file to the remote control and import it under Flight route.`, t`It says way, height and speed, and not when to spray.`], flown: 'always',
   },
   {
     key: 'ros', label: t`A robot with ROS`, files: [{ format: 'ros-yaml', label: t`Route, YAML` }, { format: 'ros-json', label: t`Route, JSON` }],

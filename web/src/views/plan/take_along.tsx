@@ -32,9 +32,12 @@ export function TakeAlong({ plan }: { plan: PlanFull }) {
   );
 }
 
+/** Above a crop that is sprayed. */
+const USUAL_ALTITUDE_M = 3;
+
 function ForDisplay({ plan, display }: { plan: PlanFull; display: Display }) {
   const [lines, setLines] = useState<'subfield' | 'all'>('subfield');
-  const [altitude, setAltitude] = useState<number | null>(null);
+  const [altitude, setAltitude] = useState<number | null>(display.flown === 'always' ? USUAL_ALTITUDE_M : null);
   const geodetic = useStore(fields, (value) => (value.open?.id === plan.field ? value.open.geodetic : true));
   const take = async (file: Wanted) => {
     const query = { ...(display.lines ? { lines } : {}), ...(display.flown && altitude !== null ? { flight_altitude_m: altitude } : {}) };
@@ -50,7 +53,8 @@ function ForDisplay({ plan, display }: { plan: PlanFull; display: Display }) {
         <Choice label={t`Guidance lines`} value={lines} change={setLines} options={[{ value: 'subfield', label: t`One for each subfield` }, { value: 'all', label: t`Every track` }]} />
       )}
       {display.flown && (
-        <NumberField label={t`Altitude of a drone`} unit="m" value={altitude} least={0.5} most={1500} optional hint={t`If left empty: it stays on the ground.`} change={setAltitude} />
+        <NumberField label={t`Altitude of a drone`} unit="m" value={altitude} least={0.5} most={1500} optional={display.flown === 'may be'}
+          hint={display.flown === 'may be' ? t`If left empty: it stays on the ground.` : ''} change={setAltitude} />
       )}
       {why !== null ? <p class="notice error">{why}</p> : (
         <>
