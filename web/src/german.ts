@@ -41,6 +41,8 @@ export const GERMAN: Readonly<Record<string, string>> = {
   'Drop the file on the dashed box, or choose it with the button there.': 'Legen Sie die Datei auf das gestrichelte Feld, oder wählen Sie sie mit dem Knopf dort.',
   'The background could not be loaded from {0}. Check the network and the address after --tiles; everything else works without it.': 'Der Hintergrund konnte nicht von {0} geladen werden. Prüfen Sie das Netz und die Adresse nach --tiles; alles andere geht ohne ihn.',
   'This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.': 'Dieser Browser kann die Karte nicht zeichnen: Ihm fehlt WebGL 2. Alles andere geht; nehmen Sie einen anderen Browser, um das Feld zu sehen.',
+  'This field was deleted elsewhere.': 'Dieses Feld wurde anderswo gelöscht.',
+  'This plan was deleted elsewhere.': 'Dieser Plan wurde anderswo gelöscht.',
   'Dismiss this message': 'Diese Meldung schließen',
 
   // The frame

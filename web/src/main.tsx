@@ -3,7 +3,7 @@ import { readAgain } from './actions/feeds';
 import { attempt, complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
 import { followWidth } from './actions/rates';
-import { onLostFeed } from './actions/replay';
+import { onLostFeed } from './actions/play/replay';
 import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';

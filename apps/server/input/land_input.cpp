@@ -74,7 +74,7 @@ std::vector<LooseSubfield> subfields_of(const std::vector<DrawnLand>& drawn, con
 
 void require_met(const std::vector<char>& used, std::size_t index, const std::string& origin) {
   if (used[index] == 0)
-    throw bad_input(fmt::format("the shape {} of the land does not reach the field; draw it over the field",
+    throw bad_input(fmt::format("the land {} does not reach the field; draw it over the field",
                                 origin));
 }
 

@@ -95,6 +95,13 @@ void write_for_machine(const Call& call, const KeptPlan& plan, const std::filesy
   }
 }
 
+/// A message with the name of the plan in the place of the path of its file.
+std::string in_its_name(std::string text, const std::string& path, const std::string& name) {
+  if (const std::size_t at = text.find(path); at != std::string::npos)
+    text.replace(at, path.size(), "'" + name + "'");
+  return text;
+}
+
 void send_plan(App& app, const Call& call, httplib::Response& response) {
   // What somebody has taken away, or looked at beside another, is wanted.
   const KeptPlan plan = app.plans.keep(call.part("plan"));
@@ -102,7 +109,11 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
   const std::string& word = call.part("format");
   const auto written = [&](const FileFormat& format,
                            const std::function<void(const std::filesystem::path&)>& write) {
-    send_written(response, app.folder, plan.name, format.extension, format.type, write);
+    try {
+      send_written(response, app.folder, plan.name, format.extension, format.type, write);
+    } catch (const Error& error) {
+      throw Error(error.kind(), in_its_name(error.what(), file.string(), plan.name));
+    }
   };
   if (word == kPlanFile.name)
     return send_file(response, file, plan.name, kPlanFile.extension, kPlanFile.type);

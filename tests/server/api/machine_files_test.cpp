@@ -46,7 +46,8 @@ TEST_F(ServerTest, SaysWhyThereIsNoRouteOrCard) {
   const std::string plan = served.planned(field, {{"route", false}});
   const Got route = served.get("/plans/" + plan + "/files/gpx");
   EXPECT_EQ(route.status, 400);
-  EXPECT_NE(route.message().find("route"), std::string::npos) << route.message();
+  EXPECT_NE(route.message().find("no route; plan the whole job"), std::string::npos) << route.message();
+  EXPECT_EQ(route.message().find(folder.path().string()), std::string::npos) << route.message();
   EXPECT_EQ(served.get("/plans/" + plan + "/files/card").status, 400);
 }
 

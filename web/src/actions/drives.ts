@@ -8,9 +8,9 @@ import { fields } from '../state/fields';
 import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../state/review';
 import { loadFields, takeFields } from './fields';
 import { note } from './notices';
-import { stopReplay } from './replay';
+import { stopReplay } from './play/replay';
 import { show } from './session';
-import { asOne, uploadFile } from './upload';
+import { asOne, uploadFile } from './files/upload';
 import { t } from '../words';
 
 export async function loadDrives(): Promise<void> {

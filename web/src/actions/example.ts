@@ -4,7 +4,7 @@ import { ApiError } from '../api/errors';
 import { STOPS, tour } from '../state/tour';
 import { storeAll } from './fields';
 import { show } from './session';
-import { busy } from './upload';
+import { busy } from './files/upload';
 import { t } from '../words';
 
 /** Stores the fields drawn for the project as if their file had been chosen, and opens the first. */

@@ -5,7 +5,7 @@ import type { FeedItem, FeedRequest } from '../api/types';
 import { fields } from '../state/fields';
 import { loadDrives, openDrive } from './drives';
 import { note } from './notices';
-import { attach, stopReplay } from './replay';
+import { attach, stopReplay } from './play/replay';
 import { t } from '../words';
 
 /** The feeds that the server follows already; none where it cannot be asked. */

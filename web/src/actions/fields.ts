@@ -11,7 +11,7 @@ import { review } from '../state/review';
 import { attempt, complain, note } from './notices';
 import { takeUpPlanning } from './planning';
 import { closePlan, loadPlans, openPlan } from './plans';
-import { asOne, busy, uploadFile } from './upload';
+import { asOne, busy, uploadFile } from './files/upload';
 import { t } from '../words';
 
 export async function loadFields(): Promise<void> {

@@ -1,6 +1,5 @@
 // A hand on the plan: each change is one step to undo, is planned at once, and is held against the plan before.
 import type { Geometry, Land, Place } from '../api/types';
-import { fields } from '../state/fields';
 import { hand, type ByHand } from '../state/hand';
 import { form } from '../state/plan_form';
 import { plans } from '../state/plans';
@@ -21,9 +20,9 @@ function keepBest(): void {
   hand.set({ best: { field: open.field, euros: whole_cost?.euros ?? null, rates: whole_cost?.rates ?? null, counts: { overlap_m2, uncovered_m2, turns, stops } } });
 }
 
-/** Where changes do not plan by themselves, this does. */
+/** Where changes of a plan do not plan by themselves, this does. */
 function planned(): void {
-  if (!fields.get().open || (form.get().again && plans.get().open)) return;
+  if (form.get().again || !plans.get().open) return;
   void attempt(() => makePlan(true));
 }
 

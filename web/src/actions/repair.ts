@@ -5,7 +5,7 @@ import { form } from '../state/plan_form';
 import { review } from '../state/review';
 import { note } from './notices';
 import { openPlan } from './plans';
-import { stopReplay } from './replay';
+import { stopReplay } from './play/replay';
 import { show } from './session';
 import { t } from '../words';
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -206,6 +207,7 @@ BackgroundMap::BackgroundMap(const std::filesystem::path& file)
 BackgroundMap::~BackgroundMap() = default;
 
 MapTile BackgroundMap::tile(int zoom, int x, int y) {
+  assert(zoom >= 0 && zoom <= kDeepest && x >= 0 && y >= 0 && x < (1 << zoom) && y < (1 << zoom));
   const std::lock_guard lock(source_->mutex);
   GdalErrors errors;
   const double side_m = 2 * kHalf_m / std::exp2(zoom);

@@ -1,5 +1,5 @@
 // The route driven on the map, with what it has taken so far.
-import { leaveRoute, pauseRoute, playRoute, seekRoute } from '../../actions/route_play';
+import { leaveRoute, pauseRoute, playRoute, seekRoute } from '../../actions/play/route_play';
 import type { LegKind, PlanFull } from '../../api/types';
 import { clock, count, litres, money } from '../../format';
 import { Button } from '../../parts/button';

@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { attempt, note } from '../../actions/notices';
 import { keepPlan } from '../../actions/plans';
-import { takeFile } from '../../actions/take_file';
+import { takeFile } from '../../actions/files/take_file';
 import { planFile } from '../../api/addresses';
 import type { PlanFull } from '../../api/types';
 import { Button } from '../../parts/button';

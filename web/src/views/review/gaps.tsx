@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { attempt } from '../../actions/notices';
 import { planTheGaps } from '../../actions/repair';
-import { stopReplay } from '../../actions/replay';
+import { stopReplay } from '../../actions/play/replay';
 import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
 import { engine } from '../../map/engine_loader';

@@ -2,7 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { endFeed, runningFeeds, switchWork, watch } from '../../actions/feeds';
 import { attempt } from '../../actions/notices';
-import { attach, stopReplay } from '../../actions/replay';
+import { attach, stopReplay } from '../../actions/play/replay';
 import type { DriveOptions, FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';

@@ -1,4 +1,4 @@
-import { pause, play, seek, setSpeed, stopReplay } from '../../actions/replay';
+import { pause, play, seek, setSpeed, stopReplay } from '../../actions/play/replay';
 import type { DriveFull, Meshes, WorkFigures } from '../../api/types';
 import { clock, count, hectares, rate, squareMetres, timeOfDay } from '../../format';
 import { Button } from '../../parts/button';

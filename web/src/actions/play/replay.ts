@@ -1,13 +1,13 @@
 // Running a stream of work. Frames go to whoever draws them; the figures go into the store.
-import { feedEvents, replayEvents } from '../api/addresses';
-import { api } from '../api/client';
-import { AWAY } from '../api/errors';
-import { openStream, type Stream } from '../api/event_stream';
-import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../api/types';
-import { distance } from '../metres';
-import { replay } from '../state/replay';
-import { complain } from './notices';
-import { t } from '../words';
+import { feedEvents, replayEvents } from '../../api/addresses';
+import { api } from '../../api/client';
+import { AWAY } from '../../api/errors';
+import { openStream, type Stream } from '../../api/event_stream';
+import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../../api/types';
+import { distance } from '../../metres';
+import { replay } from '../../state/replay';
+import { complain } from '../notices';
+import { t } from '../../words';
 
 type Draw = (frame: WorkFrame | null) => void;
 let draw: Draw = () => {};

@@ -3,10 +3,10 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { flow } from './support/flow.mjs';
-import { goTo, makePlan, openField, panel } from './support/page.mjs';
-import { tramline } from './support/server.mjs';
-import { openId, smallField } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { goTo, makePlan, openField, panel } from '../support/page.mjs';
+import { tramline } from '../support/server.mjs';
+import { openId, smallField } from '../support/stored.mjs';
 
 async function saved(page, press, folder) {
   const [file] = await Promise.all([page.waitForEvent('download'), press()]);

@@ -1,8 +1,8 @@
 // A hand on the plan: each step is planned at once, priced against the plan before, and can be undone.
 import assert from 'node:assert/strict';
-import { flow } from './support/flow.mjs';
-import { clickMap, goTo, makePlan, newPlan, openField, planTracks, still } from './support/page.mjs';
-import { ask, openId, smallField } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { clickMap, goTo, makePlan, newPlan, openField, planTracks, still } from '../support/page.mjs';
+import { ask, openId, smallField } from '../support/stored.mjs';
 
 const hand = (page) => page.getByRole('region', { name: 'By hand' });
 const bar = (page) => page.locator('.drawing-bar');

@@ -1,11 +1,11 @@
 // A file on its way to the server, and what the page says while it waits.
-import { api } from '../api/client';
-import { ApiError } from '../api/errors';
-import type { Upload } from '../api/types';
-import { megabytes } from '../format';
-import { fields } from '../state/fields';
-import { session } from '../state/session';
-import { t } from '../words';
+import { api } from '../../api/client';
+import { ApiError } from '../../api/errors';
+import type { Upload } from '../../api/types';
+import { megabytes } from '../../format';
+import { fields } from '../../state/fields';
+import { session } from '../../state/session';
+import { t } from '../../words';
 
 /** While `what` is being done the page says so. */
 export async function busy<R>(what: string, action: () => Promise<R>): Promise<R> {

@@ -1,6 +1,6 @@
 // A file of a plan to take away, or the reason why there is none.
-import { failure } from '../api/client';
-import { ApiError, AWAY } from '../api/errors';
+import { failure } from '../../api/client';
+import { ApiError, AWAY } from '../../api/errors';
 
 /** Under the name that the server gives it. */
 function nameIn(response: Response): string {
