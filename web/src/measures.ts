@@ -42,7 +42,7 @@ export interface Unit {
   size: number;
 }
 const US: Record<string, Unit> = {
-  m: { name: 'ft', size: FOOT_M }, km: { name: 'mi', size: MILE_M / 1000 }, 'm²': { name: 'sq ft', size: SQUARE_FOOT_M2 },
+  m: { name: 'ft', size: FOOT_M }, km: { name: 'mi', size: MILE_M / 1000 }, 'm²': { name: 'ft²', size: SQUARE_FOOT_M2 },
   ha: { name: 'ac', size: ACRE_M2 / 1e4 }, l: { name: 'gal', size: GALLON_L }, 'km/h': { name: 'mph', size: MILE_M / 1000 },
 };
 
