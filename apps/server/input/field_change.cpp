@@ -65,8 +65,8 @@ std::string next_origin(const Field& field) {
 void add_obstacle(Field& field, const ordered_json& json, std::size_t number) {
   const std::string place = fmt::format("add {}", number);
   const JsonInput input(json, place, {"kind", "geometry", "size_m"});
-  LooseObstacle obstacle =
-      drawn_shape(raw_feature_in(input.value("geometry"), input.place_of("geometry")), next_origin(field), field);
+  LooseObstacle obstacle = drawn_shape(raw_feature_in(input.value("geometry"), input.place_of("geometry")),
+                                       next_origin(field), field);
   obstacle.kind = kind_in(input);
   const double size_m = input.number_if("size_m").value_or(app::FieldOptions{}.obstacle_size_m);
   if (!(size_m >= kLeastSize_m && size_m <= kMostSize_m))

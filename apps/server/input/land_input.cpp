@@ -45,8 +45,7 @@ DrawnLand one_in(const ordered_json& json, const std::string& place) {
   if (degrees && input.has("guide"))
     throw bad_input(fmt::format("{} has both direction_deg and guide; give one of them", place));
   if (degrees && !(std::abs(*degrees) <= kMost_deg))
-    throw bad_input(
-        fmt::format("{} has to lie between -360 and 360", input.place_of("direction_deg")));
+    throw bad_input(fmt::format("{} has to lie between -360 and 360", input.place_of("direction_deg")));
   if (degrees) out.direction = Direction::clockwise_from_north(Angle::degrees(*degrees));
   if (input.has("guide")) out.guide = positions_of(input.value("guide"), input.place_of("guide"));
   return out;
@@ -74,8 +73,7 @@ std::vector<LooseSubfield> subfields_of(const std::vector<DrawnLand>& drawn, con
 
 void require_met(const std::vector<char>& used, std::size_t index, const std::string& origin) {
   if (used[index] == 0)
-    throw bad_input(fmt::format("the land {} does not reach the field; draw it over the field",
-                                origin));
+    throw bad_input(fmt::format("the land {} does not reach the field; draw it over the field", origin));
 }
 
 }  // namespace

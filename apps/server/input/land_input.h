@@ -21,8 +21,8 @@ struct DrawnLand {
   std::vector<Point> guide;            ///< what a subfield's tracks follow; empty: nothing
 };
 
-/// [{kind: subfield, cut, skip or done, geometry, direction_deg?, guide?}]; `direction_deg` and `guide` are for
-/// subfields, and a cut is a line. Throws bad_input that names `place`.
+/// [{kind: subfield, cut, skip or done, geometry, direction_deg?, guide?}]; `direction_deg` and `guide` are
+/// for subfields, and a cut is a line. Throws bad_input that names `place`.
 std::vector<DrawnLand> land_in(const nlohmann::ordered_json& json, const std::string& place);
 
 /// Whether land is taken off as done: then tracks alone can be planned.

@@ -26,7 +26,8 @@ ordered_json outside_geojson(const Plan& plan, double detail_m) {
   const ShownPlace place(plan.field.frame);
   ordered_json features = ordered_json::array();
   for (const Polygon& polygon : land_outside(plan))
-    features.push_back(feature_json("Polygon", place.polygon(thinned_polygon(polygon, detail_m)), {{"area_m2", area(polygon)}}));
+    features.push_back(feature_json("Polygon", place.polygon(thinned_polygon(polygon, detail_m)),
+                                    {{"area_m2", area(polygon)}}));
   return collection_json(std::move(features));
 }
 

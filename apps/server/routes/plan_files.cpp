@@ -135,11 +135,12 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
     return written(*format, [&](const std::filesystem::path& path) {
       render::draw_plan(app.plans.open(plan.id).file.plan, path);
     });
-  throw HttpError(Fault::kNotFound,
-                  fmt::format("there is no format '{}'; there are gpkg, geojson, flatgeobuf, kml, shapefile, "
-                              "isoxml4, isoxml3, agopengps, gpx, mission, waypoints, dji, ros-yaml, ros-json, "
-                              "card, png, svg and pdf",
-                              word));
+  throw HttpError(
+      Fault::kNotFound,
+      fmt::format("there is no format '{}'; there are gpkg, geojson, flatgeobuf, kml, shapefile, "
+                  "isoxml4, isoxml3, agopengps, gpx, mission, waypoints, dji, ros-yaml, ros-json, "
+                  "card, png, svg and pdf",
+                  word));
 }
 
 }  // namespace

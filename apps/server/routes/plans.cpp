@@ -102,9 +102,8 @@ std::string layer_of(App& app, const Call& call) {
   const double detail_m = detail_in(call);
   if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
   if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
-  return while_kept(
-      [&] { app.plans.get(kept.id); },
-      [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_m); });
+  return while_kept([&] { app.plans.get(kept.id); },
+                    [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_m); });
 }
 
 }  // namespace

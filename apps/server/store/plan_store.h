@@ -47,7 +47,7 @@ struct PlanNotes {
   nlohmann::ordered_json explain;  ///< null: it was not asked for
   bool draft = false;  ///< made on the way to another one: the next draft of its field replaces it
   nlohmann::ordered_json asked{};  ///< machine, objective and settings of the request; null: it is not known
-  std::string shape{};  ///< of the field that was planned, as shape_key()
+  std::string shape{};             ///< of the field that was planned, as shape_key()
 };
 
 /// A plan with its notes.

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "server/uploads/feature_name.h"
 #include "server/map/few_corners.h"
+#include "server/uploads/feature_name.h"
 #include "tramline/geodesy/crs.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/io/isoxml/read_fields.h"

@@ -11,15 +11,15 @@ void run_line_card_export(const ExportOptions& options) {
   require_writable(options.output, "--output", {".pdf"}, options.plans);
   const LineCardReport report =
       write_line_cards(plan_paths(options), options.id, options.tolerance_m, options.output);
-  print_report(options,
-               fmt::format("{}: line card, {} field{}\n", options.output, report.cards,
-                           report.cards == 1 ? "" : "s") +
-                   count_row("lines", report.lines),
-               {{"plans", options.plans},
-                {"fields", report.cards},
-                {"file", options.output},
-                {"format", "line card"},
-                {"lines", report.lines}});
+  print_report(
+      options,
+      fmt::format("{}: line card, {} field{}\n", options.output, report.cards, report.cards == 1 ? "" : "s") +
+          count_row("lines", report.lines),
+      {{"plans", options.plans},
+       {"fields", report.cards},
+       {"file", options.output},
+       {"format", "line card"},
+       {"lines", report.lines}});
 }
 
 }  // namespace tramline::app

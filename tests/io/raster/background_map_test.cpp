@@ -79,10 +79,10 @@ std::array<int, 4> colour(const MapTile& tile, int x, int y) {
     EXPECT_EQ(file->GetRasterXSize(), 256);
     EXPECT_EQ(file->GetRasterYSize(), 256);
     for (int band = 1; band <= std::min(4, file->GetRasterCount()); ++band)
-      EXPECT_EQ(file->GetRasterBand(band)->RasterIO(GF_Read, x, y, 1, 1,
-                                                    &out[static_cast<std::size_t>(band - 1)], 1, 1, GDT_Int32,
-                                                    0, 0, nullptr),
-                CE_None);
+      EXPECT_EQ(
+          file->GetRasterBand(band)->RasterIO(GF_Read, x, y, 1, 1, &out[static_cast<std::size_t>(band - 1)],
+                                              1, 1, GDT_Int32, 0, 0, nullptr),
+          CE_None);
   }
   VSIUnlink(name.c_str());
   return out;
@@ -130,15 +130,18 @@ TEST(BackgroundMap, SaysWhatIsWrongWithAFile) {
   };
   {
     const std::string said = refusal(folder.path() / "none.tif");
-    for (const char* part : {"none.tif", "cannot be opened", "MBTiles"}) EXPECT_NE(said.find(part), std::string::npos) << said;
+    for (const char* part : {"none.tif", "cannot be opened", "MBTiles"})
+      EXPECT_NE(said.find(part), std::string::npos) << said;
   }
   {
     const std::string said = refusal(picture(folder, {GDT_UInt16}));
-    for (const char* part : {"land.tif", "UInt16", "gdal_translate"}) EXPECT_NE(said.find(part), std::string::npos) << said;
+    for (const char* part : {"land.tif", "UInt16", "gdal_translate"})
+      EXPECT_NE(said.find(part), std::string::npos) << said;
   }
   {
     const std::string said = refusal(picture(folder, {GDT_Byte, 3, false}));
-    for (const char* part : {"land.tif", "where it lies"}) EXPECT_NE(said.find(part), std::string::npos) << said;
+    for (const char* part : {"land.tif", "where it lies"})
+      EXPECT_NE(said.find(part), std::string::npos) << said;
   }
 }
 

@@ -61,10 +61,11 @@ TEST_F(LandTest, SubfieldsHaveTheirDirectionAndCutsDivide) {
   EXPECT_TRUE(std::any_of(degrees.begin(), degrees.end(), [](double deg) {
     return std::abs(std::remainder(deg, 180)) < 0.1;
   })) << told["direction_deg"].dump();
-  const ordered_json cut = {{{"kind", "cut"},
-                             {"geometry",
-                              {{"type", "LineString"},
-                               {"coordinates", {{9 + kEast_deg / 2, 49.9999}, {9 + kEast_deg / 2, 50.0015}}}}}}};
+  const ordered_json cut = {
+      {{"kind", "cut"},
+       {"geometry",
+        {{"type", "LineString"},
+         {"coordinates", {{9 + kEast_deg / 2, 49.9999}, {9 + kEast_deg / 2, 50.0015}}}}}}};
   EXPECT_EQ(summary(field, {{"land", cut}})["subfields"], 2);
   EXPECT_EQ(summary(field, ordered_json::object())["subfields"], 1);
 }
@@ -76,8 +77,8 @@ TEST_F(LandTest, TracksOfASubfieldFollowItsGuide) {
   const ordered_json guided = {{{"kind", "subfield"},
                                 {"geometry", box(-0.1, -0.1, 1.1, 1.1)},
                                 {"guide", {{9, lat}, {9 + kEast_deg, lat}}}}};
-  const std::string plan =
-      served.planned(field, {{"land", guided}, {"route", false}, {"headlands", 0}, {"obstacle_headlands", 0}});
+  const std::string plan = served.planned(
+      field, {{"land", guided}, {"route", false}, {"headlands", 0}, {"obstacle_headlands", 0}});
   int seen = 0;
   const ordered_json tracks = served.get("/plans/" + plan + "/layers/tracks").json;
   for (const ordered_json& track : tracks["features"]) {
@@ -108,19 +109,20 @@ TEST_F(LandTest, LandThatIsDoneIsNotMissedAndTracksAlonePlanned) {
 
 TEST_F(LandTest, SaysWhatIsWrongWithAShape) {
   const std::string field = rectangle();
-  EXPECT_NE(refusal(field, {{{"kind", "meadow"}, {"geometry", box(0, 0, 1, 1)}}}).find("subfield, cut, skip or done"),
+  EXPECT_NE(refusal(field, {{{"kind", "meadow"}, {"geometry", box(0, 0, 1, 1)}}})
+                .find("subfield, cut, skip or done"),
             std::string::npos);
   EXPECT_NE(refusal(field, {{{"kind", "cut"}, {"geometry", box(0, 0, 1, 1)}}}).find("has to be a line"),
             std::string::npos);
-  EXPECT_NE(refusal(field, {{{"kind", "skip"}, {"geometry", box(3, 3, 4, 4)}}}).find("does not reach the field"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(field, {{{"kind", "skip"}, {"geometry", box(3, 3, 4, 4)}}}).find("does not reach the field"),
+      std::string::npos);
   EXPECT_NE(refusal(field, {{{"kind", "skip"}, {"geometry", box(0, 0, 1, 1)}, {"direction_deg", 3}}})
                 .find("are for subfields"),
             std::string::npos);
-  EXPECT_NE(
-      refusal(field, {{{"kind", "subfield"}, {"geometry", box(0, 0, 1, 1)}, {"direction_deg", 1000}}})
-          .find("between -360 and 360"),
-      std::string::npos);
+  EXPECT_NE(refusal(field, {{{"kind", "subfield"}, {"geometry", box(0, 0, 1, 1)}, {"direction_deg", 1000}}})
+                .find("between -360 and 360"),
+            std::string::npos);
   EXPECT_EQ(served.get("/plans?field=" + field).json.size(), 0U);
 }
 

@@ -12,19 +12,25 @@ namespace {
 TEST_F(ServerTest, WritesTheFilesThatTheProgramExports) {
   const std::string field = served.field_of("terrace.kml");
   const std::string plan = served.planned(field, {{"headlands", 1}});
-  const auto file = [&](const std::string& words) { return served.get("/plans/" + plan + "/files/" + words); };
+  const auto file = [&](const std::string& words) {
+    return served.get("/plans/" + plan + "/files/" + words);
+  };
   const std::filesystem::path kept = folder.path() / "plans" / (plan + ".gpkg");
   const testing_support::TemporaryFolder own;
   const auto own_file = [&](const char* name) { return own.path() / name; };
 
-  for (const auto& [word, name] : {std::pair{"gpx", "a.gpx"}, {"mission", "a.plan"}, {"waypoints", "a.waypoints"},
-                                   {"ros-yaml", "a.yaml"}, {"ros-json", "a.json"}}) {
+  for (const auto& [word, name] : {std::pair{"gpx", "a.gpx"},
+                                   {"mission", "a.plan"},
+                                   {"waypoints", "a.waypoints"},
+                                   {"ros-yaml", "a.yaml"},
+                                   {"ros-json", "a.json"}}) {
     const Got got = file(word);
     ASSERT_EQ(got.status, 200) << word << got.text;
     io::export_route({kept, own_file(name), io::route_format_of(name).value()});
     EXPECT_EQ(got.text, testing_support::bytes_of(own_file(name))) << word;
   }
-  for (const char* word : {"isoxml4", "isoxml3", "agopengps", "dji?flight_altitude_m=3", "isoxml4?lines=all&obstacles=polygons"}) {
+  for (const char* word : {"isoxml4", "isoxml3", "agopengps", "dji?flight_altitude_m=3",
+                           "isoxml4?lines=all&obstacles=polygons"}) {
     const Got got = file(word);
     ASSERT_EQ(got.status, 200) << word << got.text;
     EXPECT_TRUE(got.text.starts_with("PK")) << word;
@@ -53,14 +59,18 @@ TEST_F(ServerTest, SaysWhyThereIsNoRouteOrCard) {
 
 TEST_F(ServerTest, LayersOfItsOwnAreAsFineAsTheyAreAskedFor) {
   const std::string field = served.field_of("riverside.geojson");
-  const std::string plan = served.planned(
-      field, {{"route", false}, {"headlands", 0}, {"obstacle_headlands", 0}, {"boundary", "soft"}, {"end_rule", "cover"}});
+  const std::string plan = served.planned(field, {{"route", false},
+                                                  {"headlands", 0},
+                                                  {"obstacle_headlands", 0},
+                                                  {"boundary", "soft"},
+                                                  {"end_rule", "cover"}});
   for (const char* layer : {"outside", "detours"}) {
     const auto corners = [&](const char* detail) {
       std::size_t out = 0;
       const Got got = served.get("/plans/" + plan + "/layers/" + layer + detail);
       EXPECT_EQ(got.status, 200) << got.text;
-      for (std::size_t at = got.text.find(','); at != std::string::npos; at = got.text.find(',', at + 1)) ++out;
+      for (std::size_t at = got.text.find(','); at != std::string::npos; at = got.text.find(',', at + 1))
+        ++out;
       EXPECT_GT(got.json["features"].size(), 0U) << layer;
       return out;
     };
@@ -90,7 +100,8 @@ TEST(SessionTest, TellsThoseWithTheTokenHowToOpenThePageElsewhere) {
     EXPECT_TRUE(address.get<std::string>().ends_with("/#token=a-secret-of-ours")) << address;
     EXPECT_EQ(address.get<std::string>().find("//127."), std::string::npos) << address;
   }
-  EXPECT_EQ(got.json["addresses"].size() + 1, served.server().addresses().size()) << "all but this computer's own";
+  EXPECT_EQ(got.json["addresses"].size() + 1, served.server().addresses().size())
+      << "all but this computer's own";
 }
 
 TEST_F(ServerTest, HasNoBackgroundUnlessOneIsGiven) {

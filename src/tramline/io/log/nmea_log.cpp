@@ -108,12 +108,18 @@ std::string_view kind_of(std::string_view address) {
 
 const char* name(FixQuality quality) {
   switch (quality) {
-    case FixQuality::kSingle: return "single";
-    case FixQuality::kDifferential: return "differential";
-    case FixQuality::kRtkFloat: return "rtk float";
-    case FixQuality::kRtkFixed: return "rtk fixed";
-    case FixQuality::kEstimated: return "estimated";
-    case FixQuality::kUnknown: break;
+    case FixQuality::kSingle:
+      return "single";
+    case FixQuality::kDifferential:
+      return "differential";
+    case FixQuality::kRtkFloat:
+      return "rtk float";
+    case FixQuality::kRtkFixed:
+      return "rtk fixed";
+    case FixQuality::kEstimated:
+      return "estimated";
+    case FixQuality::kUnknown:
+      break;
   }
   return "";
 }

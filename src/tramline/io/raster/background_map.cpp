@@ -126,8 +126,12 @@ struct BackgroundMap::Source {
 std::array<Pixels, 4> BackgroundMap::Source::drawn(const Box& mercator_m) const {
   const GDALDatasetUniquePtr canvas = in_memory(bands + 1);
   canvas->GetRasterBand(bands + 1)->SetColorInterpretation(GCI_AlphaBand);
-  std::array<double, 6> place{mercator_m.min_x, mercator_m.width() / kTile_px,  0,
-                              mercator_m.max_y, 0, -mercator_m.height() / kTile_px};
+  std::array<double, 6> place{mercator_m.min_x,
+                              mercator_m.width() / kTile_px,
+                              0,
+                              mercator_m.max_y,
+                              0,
+                              -mercator_m.height() / kTile_px};
   canvas->SetGeoTransform(place.data());
   OGRSpatialReference mercator;
   mercator.importFromEPSG(3857);
@@ -170,10 +174,11 @@ BackgroundMap::BackgroundMap(const std::filesystem::path& file)
   const GdalErrors errors;
   source_->file = opened(file);
   if (source_->file == nullptr || source_->file->GetRasterCount() == 0)
-    throw bad_input(fmt::format(
-        "the background '{}' cannot be opened: give an MBTiles file with pictures, a GeoTIFF, or a GeoPackage "
-        "with one raster",
-        file.string()));
+    throw bad_input(
+        fmt::format("the background '{}' cannot be opened: give an MBTiles file with pictures, a GeoTIFF, or "
+                    "a GeoPackage "
+                    "with one raster",
+                    file.string()));
   GDALDataset& raster = *source_->file;
   for (int i = 1; i <= raster.GetRasterCount(); ++i) {
     GDALRasterBand& band = *raster.GetRasterBand(i);
@@ -198,8 +203,8 @@ BackgroundMap::BackgroundMap(const std::filesystem::path& file)
   lonlat_deg_.extend(low);
   lonlat_deg_.extend(high);
   constexpr double kAlmost = 0.05;  // tiles of whole levels differ from these by rounding
-  last_zoom_ = std::clamp(static_cast<int>(std::ceil(std::log2(pixel_m(0) / extent.pixel_m) - kAlmost)), 0,
-                          kDeepest);
+  last_zoom_ =
+      std::clamp(static_cast<int>(std::ceil(std::log2(pixel_m(0) / extent.pixel_m) - kAlmost)), 0, kDeepest);
   const bool overviews = raster.GetRasterBand(1)->GetOverviewCount() > 0;
   first_zoom_ = overviews ? 0 : std::max(0, last_zoom_ - kLevelsWithoutOverviews);
 }
@@ -230,7 +235,8 @@ MapTile BackgroundMap::tile(int zoom, int x, int y) {
       .reset();
   const std::span<const std::byte> bytes = folder.bytes(name);
   if (bytes.empty())
-    throw failure(fmt::format("a tile of the background cannot be written: GDAL reports: {}", errors.first()));
+    throw failure(
+        fmt::format("a tile of the background cannot be written: GDAL reports: {}", errors.first()));
   return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, opaque ? "image/jpeg" : "image/png"};
 }
 

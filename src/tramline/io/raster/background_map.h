@@ -17,12 +17,12 @@ struct MapTile {
   const char* type = "image/png";
 };
 
-/// An MBTiles file, a GeoTIFF or the raster of a GeoPackage. Safe for several threads, one of which draws at a
-/// time.
+/// An MBTiles file, a GeoTIFF or the raster of a GeoPackage. Safe for several threads, one of which draws at
+/// a time.
 class BackgroundMap {
  public:
-  /// Opens it, and keeps it open. Throws bad_input, naming the file, where it is none of these, says not where
-  /// it lies, or has no bands of bytes.
+  /// Opens it, and keeps it open. Throws bad_input, naming the file, where it is none of these, says not
+  /// where it lies, or has no bands of bytes.
   explicit BackgroundMap(const std::filesystem::path& file);
   BackgroundMap(const BackgroundMap&) = delete;
   BackgroundMap& operator=(const BackgroundMap&) = delete;
@@ -30,8 +30,8 @@ class BackgroundMap {
 
   /// West, south, east, north of what it shows, degrees.
   const Box& lonlat_deg() const { return lonlat_deg_; }
-  /// Levels between which tiles show what the file has: above the last a tile has no more to it, and below the
-  /// first it would be put together from very much of the file.
+  /// Levels between which tiles show what the file has: above the last a tile has no more to it, and below
+  /// the first it would be put together from very much of the file.
   int first_zoom() const { return first_zoom_; }
   int last_zoom() const { return last_zoom_; }
   const std::string& name() const { return name_; }
