@@ -716,7 +716,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
 
   // A hand on the plan
   'By hand': 'Von Hand',
-  'Not to be driven on': 'Nicht zu befahren',
+  Forbidden: 'Gesperrt',
   'Not to be worked': 'Nicht zu bearbeiten',
   Subfield: 'Teilfeld',
   Cut: 'Schnitt',

@@ -59,7 +59,7 @@ flow('forbid an area, cut the field, undo and redo', {}, async ({ page, server }
   assert.equal((await plan(page, server)).asked.settings.land.length, 1);
   // After a reload the form still knows what was drawn.
   await page.reload();
-  await hand(page).getByRole('button', { name: /^Remove: Not to be driven on/ }).waitFor();
+  await hand(page).getByRole('button', { name: /^Remove: Forbidden/ }).waitFor();
 });
 
 flow('a part keeps its tracks, an area need not be worked', {}, async ({ page, server }) => {

@@ -23,7 +23,7 @@ function moreThan(best: Best | null, plan: PlanFull): number | null {
   return whole || best.euros !== null ? null : costOf(plan.summary) - costOf(best.counts);
 }
 
-const KINDS: Record<Land['kind'], string> = { skip: t`Not to be driven on`, done: t`Not to be worked`, subfield: t`Subfield`, cut: t`Cut` };
+const KINDS: Record<Land['kind'], string> = { skip: t`Forbidden`, done: t`Not to be worked`, subfield: t`Subfield`, cut: t`Cut` };
 const title = ({ kind, guide }: Land) => (kind === 'subfield' && guide ? t`Kept as it is` : KINDS[kind]);
 const sizeOf = ({ geometry }: Land) => {
   if (geometry.type === 'LineString') {
