@@ -6,11 +6,14 @@ import { flow } from './support/flow.mjs';
 import { goTo, makePlan, mapReady, openField, planTracks } from './support/page.mjs';
 import { smallField } from './support/stored.mjs';
 
-flow('two tabs open on the same store', {}, async ({ page, server, browser }) => {
+// The picture of a plan that was just deleted elsewhere cannot be loaded.
+const expected = [/status of 404/];
+
+flow('two tabs open on the same store', { expected }, async ({ page, server, browser }) => {
   await openField(page, smallField(server.folder));
   await planTracks(page);
   await makePlan(page);
-  const other = await openPage(browser, server.address);
+  const other = await openPage(browser, server.address, { expected });
   await mapReady(other);
   await other.getByRole('button', { name: /^slant field/ }).click();
   await other.getByRole('region', { name: /^Open field/ }).waitFor();

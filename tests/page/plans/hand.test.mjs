@@ -34,6 +34,7 @@ flow('forbid an area, cut the field, undo and redo', {}, async ({ page, server }
   assert.ok(forbidden.summary.given_up_m2 > 700, `${forbidden.summary.given_up_m2} m² are given up`);
   // 0.0004° by 0.0003° of longitude and latitude there: 28.7 m by 33.4 m.
   assert.ok(Math.abs(forbidden.summary.given_up_m2 - 957) < 20, `${forbidden.summary.given_up_m2} m²`);
+  await hand(page).getByText(/more than the best plan/).waitFor();
   const more = /€([\d.,]+) more than the best plan/.exec(await hand(page).innerText());
   assert.ok(more, await hand(page).innerText());
   // At the prices of the form: 0.02 for overlap, 0.10 for land left out, 1 a turn, 5 a stop.
