@@ -51,7 +51,7 @@ void plan(const ordered_json& json) {
   const Machine machine = machine_in(input.value("machine"), "machine");
   demand(machine.width_m > 0 && std::isfinite(machine.width_m) && std::isfinite(machine.radius_m));
   const Objective objective = objective_in(input.value("objective"));
-  const SettingsInput settings = settings_in(input.value("settings"));
+  const SettingsInput settings = settings_in(input.value("settings"), Defaults::kWholePlan);
   validate_request(machine, objective, settings.settings);
   const PlanSettings placed = settings_on(settings, small_field(), machine);
   for (const std::optional<Point>& gate : {placed.route.start, placed.route.end})

@@ -39,6 +39,9 @@ class WatchSession {
   /// Whether the stream itself reports if the machine works.
   bool tells_work() const { return lines_.own_columns().work; }
 
+  /// How the receiver came by the last position.
+  io::FixQuality fix_quality() const { return lines_.quality(); }
+
   coverage::RepeatRule repeat_rule() const { return settings_.repeat; }
 
   /// The look-ahead of the sections; nullopt: not known.

@@ -15,6 +15,7 @@
 #include "server/store/plan_store.h"
 #include "server/store/store_folder.h"
 #include "server/uploads/uploads.h"
+#include "tramline/io/raster/background_map.h"
 
 namespace tramline::server {
 
@@ -28,10 +29,11 @@ struct Limits {
 struct ServerSettings {
   std::filesystem::path folder;
   std::string host = "127.0.0.1";
-  int port = 0;                   ///< 0: any that is free
-  std::string token;              ///< empty: no token is required
-  std::string tiles;              ///< URL of raster tiles; empty: none
-  std::string tiles_attribution;  ///< the source of the tiles to name; empty: their host
+  int port = 0;                      ///< 0: any that is free
+  std::string token;                 ///< empty: no token is required
+  std::string tiles;                 ///< URL of raster tiles; empty: none
+  std::string tiles_attribution;     ///< the source of the tiles to name; empty: their host
+  std::filesystem::path background;  ///< a picture of the land to show below the map; empty: none
   std::vector<std::filesystem::path>
       feed_folders;  ///< folders whose files live feeds may read, besides `folder`
   Limits limits;
@@ -61,7 +63,9 @@ struct App {
         jobs(settings.limits.jobs) {}
 
   const ServerSettings settings;
-  std::vector<std::string> warnings;  ///< about files in the folder; does not change after the start
+  std::unique_ptr<io::BackgroundMap> background;  ///< null: none; opened before the first request
+  std::vector<std::string> addresses;  ///< of the page, with the token; known before the first request
+  std::vector<std::string> warnings;   ///< about files in the folder; does not change after the start
   StoreFolder folder;
   FieldStore fields;
   PlanStore plans;

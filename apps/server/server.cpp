@@ -106,6 +106,7 @@ void set_handlers(httplib::Server& http, const Gate& gate, const Router& router)
 
 void add_routes(Router& router, App& app) {
   add_about_routes(router, app);
+  add_background_routes(router, app);
   add_session_routes(router, app);
   add_upload_routes(router, app);
   add_field_routes(router, app);
@@ -133,6 +134,8 @@ struct Server::Parts {
 Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
   io::open_plain_files_only();
   const ServerSettings& given = parts_->app.settings;
+  if (!given.background.empty())
+    parts_->app.background = std::make_unique<io::BackgroundMap>(given.background);
   require_token_where_others_come(given);
   add_routes(parts_->router, parts_->app);
   set_up_connections(parts_->http, given.limits.streams + kMostConnections);
@@ -141,6 +144,7 @@ Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::mo
     parts_->listening = socket;
   });
   parts_->port = bound_port(parts_->http, given);
+  parts_->app.addresses = addresses();
   listen(parts_->listening, kMostWaiting);
   set_handlers(parts_->http, Gate(given.host, parts_->port, given.token), parts_->router);
 }

@@ -24,6 +24,9 @@ for (const [name, options] of [
 ]) {
   flow(`axe-core on ${name}`, { ...options, bypassCSP: true }, async ({ page, server }) => {
     await assertClean(page, 'an empty store');
+    await page.getByRole('button', { name: 'Language and units' }).click();
+    await assertClean(page, 'language and units');
+    await page.getByRole('button', { name: 'Done' }).click();
     await chooseFile(page, 'Choose a file with a field', example('two-farms.gpkg'));
     await page.getByRole('heading', { name: /Which field/ }).waitFor();
     await assertClean(page, 'a file of several fields');
@@ -38,7 +41,13 @@ for (const [name, options] of [
     await makePlan(page);
     await still(page);
     await page.getByRole('button', { name: 'Drive the route' }).evaluate((button) => button.click());
+    await page.getByLabel('Which display?').selectOption('qgc');
+    await page.getByRole('button', { name: 'Open it on the phone' }).click();
+    await page.getByText(/Only this computer can open/).waitFor();
     await assertClean(page, 'a plan');
+    await page.getByRole('button', { name: 'Forbid an area' }).click();
+    await assertClean(page, 'forbidding an area');
+    await page.locator('.drawing-bar').getByRole('button', { name: 'Cancel' }).click();
     await goTo(page, 'Compare');
     await page.getByRole('button', { name: 'Find the plans' }).click();
     await page.locator('.dot').first().waitFor({ timeout: 60_000 });

@@ -1,15 +1,18 @@
 // A machine at work: what the cab shows, and what becomes of it when the server is started again.
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { flow } from './support/flow.mjs';
 import { chooseFile, goTo, makePlan, openField, panel, planTracks, visible } from './support/page.mjs';
 import { example } from './support/server.mjs';
 import { ask } from './support/stored.mjs';
 import { startTractor } from './support/tractor.mjs';
 
-async function watch(page, tractor) {
+async function watch(page, tractor, width_m = null) {
   await goTo(page, 'Review');
   await page.getByText('Watch a machine at work').click();
   await page.getByLabel('Host and port').fill(`127.0.0.1:${tractor.port}`);
+  if (width_m !== null) await page.getByLabel('Working width').last().fill(String(width_m));
   await page.getByRole('button', { name: 'Watch it' }).click();
   await page.getByLabel('Worked so far').waitFor({ timeout: 30_000 });
 }
@@ -31,6 +34,34 @@ flow('the cab shows speed, work and the way to the line; land still to do is not
     assert.doesNotMatch(text, /Missed/);
     assert.equal(await visible(page, 'plan:tracks'), true, 'the lines to follow are on the map');
     assert.equal(await visible(page, 'field-missed'), false);
+  } finally {
+    await tractor.stop();
+  }
+});
+
+/** Sentences of a receiver that drives north beside 9.15° E, once with RTK and then without corrections. */
+function nmeaLog(folder) {
+  const sentence = (body) => `$${body}*${[...body].reduce((sum, c) => sum ^ c.charCodeAt(0), 0).toString(16).toUpperCase().padStart(2, '0')}`;
+  const lines = [];
+  for (let i = 0; i < 240; i++) {
+    const time = `1200${String(Math.floor(i / 10)).padStart(2, '0')}.${i % 10}0`;
+    const minutes = (41.55 + i * 0.0002).toFixed(6);
+    lines.push(sentence(`GNGGA,${time},52${minutes},N,00909.000000,E,${i < 120 ? 4 : 1},12,0.8,40.0,M,46.9,M,,`));
+    lines.push(sentence('GNVTG,0.0,T,,M,7.2,N,13.3,K,A'));
+  }
+  const file = join(folder, 'receiver.nmea');
+  writeFileSync(file, `${lines.join('\n')}\n`);
+  return file;
+}
+
+flow('the cab says how good positions are, and when they get worse', {}, async ({ page, server }) => {
+  const tractor = await startTractor(nmeaLog(server.folder), { per_s: 60 });
+  try {
+    await openField(page, example('riverside.geojson'));
+    await watch(page, tractor, 6);
+    const shows = (pattern) => page.waitForFunction((wanted) => new RegExp(wanted).test(document.querySelector('.cab')?.innerText ?? ''), pattern, { timeout: 30_000 });
+    await shows('Position\\s*RTK\\s*to about 2 cm');
+    await shows('Position\\s*GPS\\s*to some metres');
   } finally {
     await tractor.stop();
   }

@@ -1,7 +1,7 @@
 // The pictures of docs/page.md, of example data only. Usage: pictures.mjs FOLDER
 import { join } from 'node:path';
 import { closePage, NARROW, openPage, startBrowser, WIDE } from './support/browser.mjs';
-import { chooseFile, goTo, makePlan, mapReady, openField, still } from './support/page.mjs';
+import { chooseFile, clickMap, goTo, makePlan, mapReady, newPlan, openField, still } from './support/page.mjs';
 import { example, startServer } from './support/server.mjs';
 
 const folder = process.argv[2];
@@ -15,6 +15,18 @@ async function shoot(page, name) {
   if (name.includes(only)) await page.screenshot({ path: join(folder, `page-${name}.png`) });
 }
 const top = (page) => page.locator('main.panel').evaluate((panel) => panel.scrollTo(0, 0));
+
+/** Draws corners, which are parts of the field's box, from its south-west. */
+async function drawn(page, button, done, corners) {
+  const before = new URL(page.url()).hash;
+  const [field] = await (await fetch(`${server.address}/api/v1/fields`)).json();
+  const [west, south, east, north] = field.bbox;
+  await page.getByRole('button', { name: button }).click();
+  for (const [x, y] of corners) await clickMap(page, [west + x * (east - west), south + y * (north - south)]);
+  await page.getByRole('button', { name: done }).click();
+  await newPlan(page, before);
+  await page.waitForSelector('.map[aria-busy=false]');
+}
 
 async function plan(page) {
   await goTo(page, 'Plan');
@@ -32,6 +44,12 @@ try {
   await shoot(wide, 'fields');
   await plan(wide);
   await shoot(wide, 'plan');
+  await drawn(wide, 'Forbid an area', 'Forbid this area', [[0.3, 0.3], [0.42, 0.3], [0.42, 0.42], [0.3, 0.42]]);
+  await wide.getByRole('region', { name: 'By hand' }).evaluate((section) => section.scrollIntoView());
+  await shoot(wide, 'hand');
+  await wide.getByLabel('Which display?').selectOption('claas');
+  await wide.getByRole('region', { name: 'Onto the machine' }).evaluate((section) => section.scrollIntoView());
+  await shoot(wide, 'along');
   await goTo(wide, 'Compare');
   await wide.getByRole('button', { name: 'Find the plans' }).click();
   await wide.locator('.dot').first().waitFor({ timeout: 120_000 });

@@ -1,5 +1,6 @@
 import { setTheme, show } from './actions/session';
 import { Icon, type IconName } from './parts/icon';
+import { measures } from './measures';
 import { fields } from './state/fields';
 import { isNight, session, type View } from './state/session';
 import { useStore } from './state/store';
@@ -8,27 +9,32 @@ import { FieldsView } from './views/fields/fields_view';
 import { Locked } from './views/locked';
 import { Legend } from './views/map/legend';
 import { MapHost } from './views/map/map_host';
+import { Settings } from './views/settings';
 import { Notices } from './views/notices';
 import { Tour } from './views/tour';
 import { PlanView } from './views/plan/plan_view';
 import { ReviewView } from './views/review/review_view';
+import { t } from './words';
 
 const VIEWS: { view: View; title: string; icon: IconName }[] = [
-  { view: 'fields', title: 'Fields', icon: 'field' },
-  { view: 'plan', title: 'Plan', icon: 'plan' },
-  { view: 'compare', title: 'Compare', icon: 'compare' },
-  { view: 'review', title: 'Review', icon: 'review' },
+  { view: 'fields', title: t`Fields`, icon: 'field' },
+  { view: 'plan', title: t`Plan`, icon: 'plan' },
+  { view: 'compare', title: t`Compare`, icon: 'compare' },
+  { view: 'review', title: t`Review`, icon: 'review' },
 ];
 
 export function App() {
   const locked = useStore(session, (value) => value.locked);
+  const settings = useStore(session, (value) => value.settings);
+  useStore(measures, (value) => value); // what is written follows the units
   return (
     <div class="page">
-      <a class="skip" href="#panel" onClick={(event) => { event.preventDefault(); document.getElementById('panel')?.focus(); }}>Skip to the panel</a>
+      <a class="skip" href="#panel" onClick={(event) => { event.preventDefault(); document.getElementById('panel')?.focus(); }}>{t`Skip to the panel`}</a>
       <Header />
       <Tabs />
       <main class="panel" id="panel" tabIndex={-1}>
         <Notices />
+        {settings && <Settings />}
         {!locked && <Tour />}
         {locked ? <Locked /> : <View />}
       </main>
@@ -41,6 +47,7 @@ export function App() {
 function Header() {
   const field = useStore(fields, (value) => value.open?.name);
   useStore(session, (value) => value.theme);
+  const open = useStore(session, (value) => value.settings);
   const night = isNight();
   return (
     <header>
@@ -49,7 +56,10 @@ function Header() {
         tramline
       </h1>
       <span class="which">{field ?? ''}</span>
-      <button type="button" class="button quiet square" aria-label={night ? 'Change to the day theme' : 'Change to the night theme'} onClick={() => setTheme(night ? 'day' : 'night')}>
+      <button type="button" class="button quiet square" aria-label={t`Language and units`} aria-expanded={open} onClick={() => session.set({ settings: !open })}>
+        <Icon name="settings" />
+      </button>
+      <button type="button" class="button quiet square" aria-label={night ? t`Change to the day theme` : t`Change to the night theme`} onClick={() => setTheme(night ? 'day' : 'night')}>
         <Icon name={night ? 'sun' : 'moon'} />
       </button>
     </header>
@@ -59,7 +69,7 @@ function Header() {
 function Tabs() {
   const view = useStore(session, (value) => value.view);
   return (
-    <nav aria-label="Views">
+    <nav aria-label={t`Views`}>
       {VIEWS.map((one) => (
         <button key={one.view} type="button" aria-current={one.view === view ? 'page' : undefined} onClick={() => show(one.view)}>
           <Icon name={one.icon} />

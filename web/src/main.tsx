@@ -3,11 +3,12 @@ import { readAgain } from './actions/feeds';
 import { attempt, complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
 import { followWidth } from './actions/rates';
-import { onLostFeed } from './actions/replay';
+import { onLostFeed } from './actions/play/replay';
 import { watchServer } from './actions/server';
 import { applyTheme } from './actions/session';
 import { comeBack, start } from './actions/start';
 import { App } from './app';
+import { t } from './words';
 
 applyTheme();
 // A page of a machine opens at its top, whatever was read last.
@@ -17,7 +18,7 @@ render(<App />, document.getElementById('page')!);
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
-  complain('Drop the file on the dashed box, or choose it with the button there.');
+  complain(t`Drop the file on the dashed box, or choose it with the button there.`);
 });
 watchServer(() => void comeBack());
 planAtChanges();

@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 65> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 68> kWords = {{
     {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -22,6 +22,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 65> kWords =
      "choose straight tracks, or draw a line without bends"},
     {"leave --curved, --ab, --guide and --tracks out", "choose straight tracks and no line"},
     {"leave --tracks paper out", "choose tracks parallel to the line"},
+    {"plan it again with --route", "plan the whole job"},
+    {"name a machine file with flight_altitude_m with --machine", "say how high it flies"},
+    {"with --done or --only leave out", "with land that is done leave out"},
     {"--explain and --front are", "the explanation is"},
     {"--explain and --front know", "the explanation knows"},
     {"or name its layer with --layer", "or choose its layer"},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "request/field_input.h"
+#include "server/input/drawn_shape.h"
 #include "server/input/geometry_input.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
@@ -49,21 +50,6 @@ ObstacleKind kind_in(const JsonInput& input) {
       fmt::format("{} is '{}', but has to be obstacle or passable", input.place_of("kind"), kind));
 }
 
-/// In the coordinates of the field's input: a plain field was drawn on about (0°, 0°).
-void bring_to_field(LooseObstacle& obstacle, const Field& field) {
-  const ShownPlace place(field.frame);
-  const Point origin{field.frame.origin_x_m, field.frame.origin_y_m};
-  const auto bring = [&](Point& p) {
-    const Point local = place.to_local(p);
-    if (!field.frame.geodetic) p = local + origin;
-    obstacle.bounds.extend(p);
-  };
-  for (RawPolygon& polygon : obstacle.polygons)
-    for (RawRing& ring : polygon.rings) std::for_each(ring.points.begin(), ring.points.end(), bring);
-  for (std::vector<Point>& line : obstacle.lines) std::for_each(line.begin(), line.end(), bring);
-  std::for_each(obstacle.points.begin(), obstacle.points.end(), bring);
-}
-
 /// One that no obstacle has yet.
 std::string next_origin(const Field& field) {
   for (int number = 1;; ++number) {
@@ -79,15 +65,13 @@ std::string next_origin(const Field& field) {
 void add_obstacle(Field& field, const ordered_json& json, std::size_t number) {
   const std::string place = fmt::format("add {}", number);
   const JsonInput input(json, place, {"kind", "geometry", "size_m"});
-  RawFeature feature = raw_feature_in(input.value("geometry"), input.place_of("geometry"));
-  LooseObstacle obstacle{next_origin(field),          kind_in(input),
-                         std::move(feature.polygons), std::move(feature.lines),
-                         std::move(feature.points),   {}};
+  LooseObstacle obstacle = drawn_shape(raw_feature_in(input.value("geometry"), input.place_of("geometry")),
+                                       next_origin(field), field);
+  obstacle.kind = kind_in(input);
   const double size_m = input.number_if("size_m").value_or(app::FieldOptions{}.obstacle_size_m);
   if (!(size_m >= kLeastSize_m && size_m <= kMostSize_m))
     throw bad_input(fmt::format("{} has to lie between {} and {} m", input.place_of("size_m"), kLeastSize_m,
                                 kMostSize_m));
-  bring_to_field(obstacle, field);
   std::vector<char> met(1, 0);
   place_obstacles(field, {obstacle}, size_m, met);
   if (met[0] == 0)

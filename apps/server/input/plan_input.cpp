@@ -197,7 +197,8 @@ constexpr std::array kSettingsKeys = {"like",
                                       "headland_time",
                                       "pass_sequence",
                                       "start",
-                                      "end"};
+                                      "end",
+                                      "land"};
 
 }  // namespace
 
@@ -234,6 +235,7 @@ SettingsInput settings_in(const ordered_json& asked, Defaults defaults) {
   else if (options.like == "zhou")
     options.obstacle_headlands = options.headlands;
   SettingsInput out{app::settings_of(options), {}, gate_in(input, "start"), gate_in(input, "end")};
+  if (input.has("land")) out.land = land_in(input.value("land"), input.place_of("land"));
   if (!input.has("line")) return out;
   if (input.has("curved")) throw bad_input("settings has both curved and a line to follow; give one of them");
   out.line = positions_of(input.value("line"), input.place_of("line"));
@@ -242,6 +244,7 @@ SettingsInput settings_in(const ordered_json& asked, Defaults defaults) {
 
 PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine) {
   PlanSettings out = input.settings;
+  if (!input.land.empty()) out.given = land_on(input.land, field);
   if (!input.line.empty()) {
     GuideLine guide{"the line that was drawn", {}, !field.frame.geodetic};
     for (const Point p : input.line) guide.points.push_back(as_in_files(p, field.frame));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "server/input/land_input.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::server {
@@ -23,6 +24,7 @@ struct SettingsInput {
   // Where the route starts and ends, longitude and latitude.
   std::optional<Point> start{};
   std::optional<Point> end{};
+  std::vector<DrawnLand> land{};
 };
 /// What is planned where the settings do not say: tracks alone, or a plan to be driven
 /// (whole_plan_defaults()).

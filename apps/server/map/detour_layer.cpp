@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "server/map/few_corners.h"
 #include "server/map/shown_place.h"
 #include "tramline/geometry/path/path.h"
 
@@ -32,14 +33,14 @@ ordered_json detour_entry(const Plan& plan) {
   return {{"name", kDetourLayer}, {"title", "Detours"}, {"features", count}, {"m2", nullptr}, {"m", m}};
 }
 
-ordered_json detour_geojson(const Plan& plan) {
+ordered_json detour_geojson(const Plan& plan, double detail_m) {
   const ShownPlace place(plan.field.frame);
   ordered_json features = ordered_json::array();
   int order = 0;
   for (const TrackPiece& piece : plan.pieces) {
     ++order;
     for (const Detour& detour : piece.detours)
-      features.push_back(feature_json("LineString", place.line(chords(detour.path)),
+      features.push_back(feature_json("LineString", place.line(thinned_line(chords(detour.path), detail_m)),
                                       {{"order", order},
                                        {"side", name(detour.side)},
                                        {"obstacles", numbers(detour.obstacles)},

@@ -13,7 +13,8 @@ inline constexpr const char* kDetourLayer = "detours";
 nlohmann::ordered_json detour_entry(const Plan& plan);
 
 /// Lines in longitude and latitude, arcs as chords, in driving order: order (of the track, from 1), side,
-/// obstacles ("3, 7", as in the layer tracks), length_m. O(n) in segments.
-nlohmann::ordered_json detour_geojson(const Plan& plan);
+/// obstacles ("3, 7", as in the layer tracks), length_m. Lines deviate by `detail_m` at most. O(n) in
+/// segments.
+nlohmann::ordered_json detour_geojson(const Plan& plan, double detail_m);
 
 }  // namespace tramline::server

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "report/report_parts.h"
+#include "server/map/few_corners.h"
 #include "server/map/shown_place.h"
-#include "tramline/geometry/path/simplified_line.h"
 
 namespace tramline::server {
 namespace {
@@ -53,15 +53,8 @@ ordered_json field_entry(const KeptField& kept) {
 ordered_json field_outline(const KeptField& kept) {
   // Of a shape that is a hundred pixels wide.
   constexpr double kFine = 1.0 / 200;
-  Ring ring = kept.field.outer;
-  const Box box = bounds(ring);
-  ring.push_back(ring.front());
-  Ring simple;
-  for (const std::size_t i : simplified_line(ring, kFine * std::max(box.width(), box.height())))
-    simple.push_back(ring[i]);
-  simple.pop_back();
-  if (simple.size() < 3) simple = kept.field.outer;
-  return {{"type", "Polygon"}, {"coordinates", ShownPlace(kept.field.frame).polygon({simple, {}})}};
+  const Ring outline = few_corners(kept.field.outer, kFine);
+  return {{"type", "Polygon"}, {"coordinates", ShownPlace(kept.field.frame).polygon({outline, {}})}};
 }
 
 ordered_json field_in_full(const KeptField& kept) {

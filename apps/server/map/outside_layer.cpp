@@ -1,5 +1,6 @@
 #include "server/map/outside_layer.h"
 
+#include "server/map/few_corners.h"
 #include "server/map/shown_place.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -21,11 +22,12 @@ ordered_json outside_entry(const Plan& plan) {
           {"m", nullptr}};
 }
 
-ordered_json outside_geojson(const Plan& plan) {
+ordered_json outside_geojson(const Plan& plan, double detail_m) {
   const ShownPlace place(plan.field.frame);
   ordered_json features = ordered_json::array();
   for (const Polygon& polygon : land_outside(plan))
-    features.push_back(feature_json("Polygon", place.polygon(polygon), {{"area_m2", area(polygon)}}));
+    features.push_back(feature_json("Polygon", place.polygon(thinned_polygon(polygon, detail_m)),
+                                    {{"area_m2", area(polygon)}}));
   return collection_json(std::move(features));
 }
 

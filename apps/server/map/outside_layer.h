@@ -15,7 +15,7 @@ Region land_outside(const Plan& plan);
 /// Its entry in the list of layers.
 nlohmann::ordered_json outside_entry(const Plan& plan);
 
-/// GeoJSON, a feature for each polygon with its area.
-nlohmann::ordered_json outside_geojson(const Plan& plan);
+/// GeoJSON, a feature for each polygon with its area. Rings deviate by `detail_m` at most.
+nlohmann::ordered_json outside_geojson(const Plan& plan, double detail_m);
 
 }  // namespace tramline::server

@@ -7,6 +7,7 @@
 #include "report/front_report.h"
 #include "server/routes/routes.h"
 #include "server/store/kept_front.h"
+#include "server/store/shape_key.h"
 
 namespace tramline::server {
 namespace {
@@ -48,7 +49,8 @@ void add_front_routes(Router& router, App& app) {
                           0,
                           nullptr,
                           false,
-                          front->asked};
+                          front->asked,
+                          shape_key(front->field->field)};
     answer(response, {{"plan", app.plans.add(plan_of(front->found, point), notes).id}}, 201);
   });
 }

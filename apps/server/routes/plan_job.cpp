@@ -13,6 +13,7 @@
 #include "server/routes/job_kinds.h"
 #include "server/routes/search_progress.h"
 #include "server/store/kept_front.h"
+#include "server/store/shape_key.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
@@ -43,6 +44,11 @@ ordered_json asked_in(const ordered_json& json) {
   return out;
 }
 
+bool takes_land_off(const ordered_json& settings) {
+  if (!settings.is_object() || !settings.contains("land")) return false;
+  return has_done(land_in(settings["land"], "settings.land"));
+}
+
 PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise) {
   const JsonInput input(
       json, "", {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds", "name"});
@@ -51,11 +57,13 @@ PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise)
   out.machine = machine_in(input.value("machine"), "machine");
   out.objective = objective_in(input.value("objective"));
   const bool priced_by_user = input.has("objective") && !input.value("objective").is_null();
+  // Land that is done is taken off the field, and headland passes go round a whole one.
+  const bool tracks_alone = priced_by_user || takes_land_off(input.value("settings"));
   const SettingsInput settings =
-      settings_in(input.value("settings"), priced_by_user ? Defaults::kTracks : otherwise);
+      settings_in(input.value("settings"), tracks_alone ? Defaults::kTracks : otherwise);
   validate_request(out.machine, out.objective, settings.settings);
   out.settings = settings_on(settings, out.field->field, out.machine);
-  if (priced_by_user) out.settings.aim = Aim::kCost;
+  if (tracks_alone) out.settings.aim = Aim::kCost;
   out.explain = input.flag_if("explain").value_or(false);
   out.draft = input.flag_if("draft").value_or(false);
   out.seconds = input.number_if("seconds");
@@ -80,7 +88,8 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
                   0,
                   nullptr,
                   request.draft,
-                  request.asked};
+                  request.asked,
+                  shape_key(request.field->field)};
   Plan plan;
   const Field& field = request.field->field;
   if (request.explain) {
@@ -101,6 +110,8 @@ void require_free_directions(const PlanSettings& settings) {
   require_straight_tracks(settings);
   if (!settings.guide.empty())
     throw bad_input("a comparison chooses directions itself; leave out the line to follow");
+  if (settings.given.divides() || !settings.given.left_out.empty() || !settings.given.done.empty())
+    throw bad_input("a comparison is of the whole field; leave out the land that was drawn");
 }
 
 ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {

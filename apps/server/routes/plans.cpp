@@ -15,8 +15,10 @@
 #include "server/map/plan_layer_list.h"
 #include "server/map/shown_place.h"
 #include "server/routes/routes.h"
+#include "server/store/shape_key.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/export/layer_geojson.h"
+#include "tramline/model/rate_values.h"
 
 namespace tramline::server {
 namespace {
@@ -49,13 +51,27 @@ ordered_json listed(const KeptPlan& plan) {
           {"route", route_of(plan)}};
 }
 
+/// Whether the field has been changed since: by its shape, and where the plan does not say of which shape it
+/// is, by time. Not of fields that are gone.
+bool of_earlier_shape(const App& app, const KeptPlan& plan) {
+  const KeptFieldPtr field = app.fields.find(plan.field);
+  if (field == nullptr) return false;
+  return plan.shape.empty() ? plan.created < field->reshaped : plan.shape != shape_key(field->field);
+}
+
+ordered_json entry_of(const App& app, const KeptPlan& plan) {
+  ordered_json out = listed(plan);
+  out["earlier_shape"] = of_earlier_shape(app, plan);
+  return out;
+}
+
 ordered_json summary_of(const Plan& plan, const PlanNotes& notes) {
   ordered_json out = app::plan_json(plan, notes.skipped, notes.seconds);
   out["outside_m2"] = area(land_outside(plan));
   return out;
 }
 
-ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
+ordered_json in_full(const App& app, const KeptPlan& kept, const OpenedPlan& opened) {
   const Plan& plan = opened.file.plan;
   return {{"id", kept.id},
           {"name", kept.name},
@@ -66,6 +82,8 @@ ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
           {"summary", summary_in_page_words(summary_of(plan, opened.notes))},
           {"explain", opened.notes.explain},
           {"asked", opened.notes.asked},
+          {"earlier_shape", of_earlier_shape(app, kept)},
+          {"idle_fuel_share", kIdleFuelShare},
           {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 
@@ -81,11 +99,11 @@ double detail_in(const Call& call) {
 std::string layer_of(App& app, const Call& call) {
   const std::string& layer = call.part("layer");
   const KeptPlan kept = app.plans.get(call.part("plan"));
-  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan).dump();
-  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan).dump();
-  return while_kept(
-      [&] { app.plans.get(kept.id); },
-      [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_in(call)); });
+  const double detail_m = detail_in(call);
+  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
+  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
+  return while_kept([&] { app.plans.get(kept.id); },
+                    [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_m); });
 }
 
 }  // namespace
@@ -93,12 +111,12 @@ std::string layer_of(App& app, const Call& call) {
 void add_plan_routes(Router& router, App& app) {
   router.get(api("/plans"), [&app](const Call& call, httplib::Response& response) {
     ordered_json out = ordered_json::array();
-    for (const KeptPlan& plan : app.plans.list(call.query("field"))) out.push_back(listed(plan));
+    for (const KeptPlan& plan : app.plans.list(call.query("field"))) out.push_back(entry_of(app, plan));
     answer(response, out);
   });
   router.get(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const KeptPlan kept = app.plans.get(call.part("plan"));
-    answer(response, in_full(kept, app.plans.open(kept.id)));
+    answer(response, in_full(app, kept, app.plans.open(kept.id)));
   });
   router.patch(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();
@@ -107,9 +125,9 @@ void add_plan_routes(Router& router, App& app) {
       throw bad_input("a kept plan cannot become a draft; delete it instead");
     const std::string name = name_of(input, "name");
     if (input.has("draft") && !input.has("name"))
-      return answer(response, listed(app.plans.keep(call.part("plan"))));
+      return answer(response, entry_of(app, app.plans.keep(call.part("plan"))));
     if (name.empty()) throw bad_input("give the plan a name");
-    answer(response, listed(app.plans.rename(call.part("plan"), name)));
+    answer(response, entry_of(app, app.plans.rename(call.part("plan"), name)));
   });
   router.remove(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     app.plans.remove(call.part("plan"));

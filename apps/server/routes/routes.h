@@ -13,6 +13,7 @@ inline constexpr const char* kApi = "/api/v1";
 inline std::string api(const std::string& path) { return kApi + path; }
 
 void add_about_routes(Router& router, App& app);
+void add_background_routes(Router& router, App& app);
 void add_session_routes(Router& router, App& app);
 void add_upload_routes(Router& router, App& app);
 void add_field_routes(Router& router, App& app);

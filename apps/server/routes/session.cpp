@@ -21,6 +21,16 @@ void add_session_routes(Router& router, App& app) {
                                                   app.settings.token));
     answer(response, {{"ok", true}});
   });
+  // For whoever has the token already, to open the page on another device.
+  router.get(api("/session"), [&app](const Call&, httplib::Response& response) {
+    nlohmann::ordered_json addresses = nlohmann::ordered_json::array();
+    if (!is_loopback(app.settings.host))
+      for (const std::string& address : app.addresses)
+        if (address.find("//127.") == std::string::npos && address.find("//[::1]") == std::string::npos &&
+            address.find("//localhost") == std::string::npos)
+          addresses.push_back(address);
+    answer(response, {{"addresses", std::move(addresses)}});
+  });
 }
 
 }  // namespace tramline::server

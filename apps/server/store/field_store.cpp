@@ -66,11 +66,15 @@ std::vector<KeptFieldPtr> FieldStore::list() const {
   return out;
 }
 
-KeptFieldPtr FieldStore::get(const std::string& id) const {
+KeptFieldPtr FieldStore::find(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   const auto found = fields_.find(id);
-  if (found == fields_.end()) throw not_found("field", id);
-  return found->second;
+  return found == fields_.end() ? nullptr : found->second;
+}
+
+KeptFieldPtr FieldStore::get(const std::string& id) const {
+  if (KeptFieldPtr found = find(id)) return found;
+  throw not_found("field", id);
 }
 
 KeptFieldPtr FieldStore::add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped,

@@ -35,6 +35,8 @@ class FieldStore {
   std::vector<KeptFieldPtr> list() const;
   /// Throws HttpError(kNotFound).
   KeptFieldPtr get(const std::string& id) const;
+  /// Null where there is none.
+  KeptFieldPtr find(const std::string& id) const;
   /// What comes back is what the file holds.
   KeptFieldPtr add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped,
                    const std::string& crop = "");

@@ -53,6 +53,7 @@ io::Metadata remarks_of(const std::string& created, const Plan& plan, const Plan
           {"explain", app::json_line(notes.explain)},
           {"draft", notes.draft ? "yes" : ""},
           {"asked", app::json_line(notes.asked)},
+          {"shape", notes.shape},
           {"route", figures_text(plan)}};
 }
 
@@ -62,6 +63,7 @@ PlanNotes notes_in(const io::Metadata& remarks) {
   out.explain = object_in(remark(remarks, "explain"));
   out.asked = object_in(remark(remarks, "asked"));
   out.draft = remark(remarks, "draft") == "yes";
+  out.shape = remark(remarks, "shape");
   return out;
 }
 
@@ -96,6 +98,7 @@ KeptPlan PlanStore::read(const std::string& id) const {
   out.frame = plan.field.frame;
   out.draft = remark(remarks, "draft") == "yes";
   out.route = figures_in(remark(remarks, "route"));
+  out.shape = remark(remarks, "shape");
   return out;
 }
 

@@ -35,6 +35,7 @@ struct KeptPlan {
   LocalFrame frame;
   bool draft = false;                   ///< see PlanNotes
   std::optional<RouteFigures> route{};  ///< where it has a route
+  std::string shape{};                  ///< of the field, as shape_key(); empty: not known
 };
 
 /// Data on a plan in addition to those of its file.
@@ -46,6 +47,7 @@ struct PlanNotes {
   nlohmann::ordered_json explain;  ///< null: it was not asked for
   bool draft = false;  ///< made on the way to another one: the next draft of its field replaces it
   nlohmann::ordered_json asked{};  ///< machine, objective and settings of the request; null: it is not known
+  std::string shape{};             ///< of the field that was planned, as shape_key()
 };
 
 /// A plan with its notes.

@@ -6,11 +6,11 @@
 
 #include "request/field_input.h"
 #include "server/http/page_words.h"
+#include "server/map/few_corners.h"
 #include "server/map/shown_place.h"
 #include "server/uploads/survey.h"
 #include "server/uploads/survey_register.h"
 #include "tramline/geometry/error.h"
-#include "tramline/geometry/path/simplified_line.h"
 #include "tramline/io/land/read_fields.h"
 
 namespace tramline::server {
@@ -46,16 +46,6 @@ std::vector<std::string> layers_with_polygons(const Upload& upload) {
   return out;
 }
 
-Ring simpler(Ring ring) {
-  const Box box = bounds(ring);
-  ring.push_back(ring.front());
-  Ring out;
-  for (const std::size_t i : simplified_line(ring, kFineness * std::max(box.width(), box.height())))
-    out.push_back(ring[i]);
-  out.pop_back();
-  return out.size() < 3 ? Ring(ring.begin(), ring.end() - 1) : out;
-}
-
 /// All parts of one feature.
 struct Candidate {
   std::string id;
@@ -73,7 +63,7 @@ std::map<long long, Candidate> candidates_in(const app::FieldInput& input, const
     candidate.area_m2 += area_m2(field);
     candidate.obstacles += field.obstacles.size();
     const ShownPlace place(field.frame);
-    candidate.shapes.push_back(place.polygon({simpler(field.outer), {}}));
+    candidate.shapes.push_back(place.polygon({few_corners(field.outer, kFineness), {}}));
   }
   for (const app::Refusal& refusal : input.refusals) {
     Candidate& candidate = out[refusal.fid];

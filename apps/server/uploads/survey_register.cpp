@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "server/map/few_corners.h"
 #include "server/uploads/feature_name.h"
 #include "tramline/geodesy/crs.h"
-#include "tramline/geometry/path/simplified_line.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/io/land/read_fields.h"
 
@@ -27,13 +27,9 @@ constexpr double kDegreesWritten = 1e6;  // 0.1 m
 
 /// Longitude and latitude of the corners that tell; plain metres are shown about (0°, 0°).
 std::vector<Point> shown_ring(const RawRing& ring, const Crs& crs) {
-  Ring closed = ring.points;
-  if (closed.size() < 3) return {};
-  const Box box = bounds(closed);
-  closed.push_back(closed.front());
+  if (ring.points.size() < 3) return {};
   std::vector<Point> out;
-  for (const std::size_t i : simplified_line(closed, kFewCorners * std::max(box.width(), box.height()))) {
-    const Point at = closed[i];
+  for (const Point at : few_corners(ring.points, kFewCorners)) {
     const std::optional<Point> lonlat =
         crs.plain() ? Point{at.x / kMetresPerDegree, at.y / kMetresPerDegree} : crs.to_lonlat(at);
     if (!lonlat) return {};

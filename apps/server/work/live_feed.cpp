@@ -261,6 +261,7 @@ WorkFrame FeedReader::frame() {
   out.fix = out.fixes = session.fixes();
   out.time_s = live.last_s();
   out.working = live.working().value_or(false);
+  out.quality = name(session.fix_quality());
   out.figures = feed_->work_figures();
   out.changes = coverage::changes_since(seen_, live, session.repeat_rule());
   if (const coverage::WorkedDrive* drive = live.drive()) {

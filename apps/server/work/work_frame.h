@@ -41,6 +41,7 @@ struct WorkFrame {
   std::optional<Point> at;  ///< of what works; nullopt: not known yet
   std::optional<Heading> heading;
   bool working = false;
+  std::string quality{};  ///< of the fix, in words (io::FixQuality); empty: not known
   WorkFigures figures;
   std::vector<Point> line;  ///< places after the last frame; with changes.all the whole way
   coverage::WorkChanges changes;

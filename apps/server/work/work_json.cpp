@@ -129,6 +129,7 @@ std::string EventWriter::frame_text(const WorkFrame& frame) {
   head["at"] = frame.at ? place_->position(*frame.at) : ordered_json();
   head["heading_deg"] = frame.heading ? app::number_json(frame.heading->degrees()) : ordered_json();
   head["working"] = frame.working;
+  head["quality"] = frame.quality.empty() ? ordered_json() : ordered_json(frame.quality);
   head["figures"] = figures_json(frame.figures);
   head["all"] = frame.changes.all;
   std::string out = app::json_line(head);

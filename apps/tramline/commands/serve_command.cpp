@@ -28,6 +28,7 @@ constexpr const char* kExample =
     "  tramline serve\n"
     "  tramline serve farm --port 9000\n"
     "  tramline serve --feed-dir /srv/drives\n"
+    "  tramline serve --background orthophoto.mbtiles\n"
     "  tramline serve --host 0.0.0.0 --tiles \"https://tile.example.org/{z}/{x}/{y}.png\"\n"
     "DIR keeps fields, machines, plans and drives as GeoPackages. Nothing leaves this computer unless --host "
     "or\n"
@@ -85,10 +86,16 @@ class ServeCommand : public Command {
         .takes("URL")
         .shows_default("none, and no network access");
     command
+        .add_option("--background", background_,
+                    "Picture of the land to show under the map, from this computer: MBTiles, GeoTIFF, or the "
+                    "raster of a GeoPackage.")
+        .takes("FILE")
+        .shows_default("none");
+    command
         .add_option("--tiles-attribution", settings_.tiles_attribution,
-                    "Source of the tiles, shown on the map.")
+                    "Source of the tiles or of the picture, shown on the map.")
         .takes("TEXT")
-        .shows_default("the host of the URL");
+        .shows_default("the host of the URL, or the name of the file");
     command.begin_group("Live drives");
     command
         .add_option(
@@ -108,6 +115,7 @@ class ServeCommand : public Command {
 
   int run() override {
     require_sensible();
+    settings_.background = background_;
     settings_.feed_folders.assign(feed_folders_.begin(), feed_folders_.end());
     settings_.folder = folder_.empty() ? server::default_folder() : std::filesystem::path(folder_);
     if (settings_.token.empty() && !server::is_loopback(settings_.host))
@@ -145,8 +153,12 @@ class ServeCommand : public Command {
       throw bad_input(fmt::format(
           "--tiles takes a URL with {{z}}, {{x}} and {{y}} where the numbers of a tile belong, not '{}'",
           settings_.tiles));
-    if (settings_.tiles.empty() && !settings_.tiles_attribution.empty())
-      throw bad_input("--tiles-attribution names the source of tiles; give the tiles with --tiles, too");
+    const bool background = !background_.empty();
+    if (background && !settings_.tiles.empty())
+      throw bad_input("the map has one background: give --tiles or --background, not both");
+    if (settings_.tiles.empty() && !background && !settings_.tiles_attribution.empty())
+      throw bad_input(
+          "--tiles-attribution names the source of tiles; give the tiles with --tiles or --background, too");
   }
 
   void announce(const server::Server& server) const {
@@ -165,9 +177,10 @@ class ServeCommand : public Command {
                                    .token = {},
                                    .tiles = {},
                                    .tiles_attribution = {},
+                                   .background = {},
                                    .feed_folders = {},
                                    .limits = {}};
-  std::string folder_;
+  std::string folder_, background_;
   std::vector<std::string> feed_folders_;
   int threads_ = 0;
   bool quiet_ = false;

@@ -50,6 +50,31 @@ TEST(NmeaLog, TheExamplesOfTheTextbooks) {
   EXPECT_EQ(log.skipped.count, 0U);
 }
 
+// Table 5 of NMEA 0183: 1 GPS, 2 differential, 4 RTK with whole cycles, 5 RTK float, 6 dead reckoning; of RMC
+// the mode A, D, R, F, E.
+TEST(NmeaLog, SaysHowThePositionWasGot) {
+  const auto after = [](const std::vector<std::string>& sentences) {
+    NmeaLog log;
+    for (const std::string& one : sentences) log.add(one);
+    log.finish();
+    return log.quality();
+  };
+  EXPECT_EQ(NmeaLog().quality(), FixQuality::kUnknown);
+  EXPECT_EQ(after({gga("120000.00", 1)}), FixQuality::kSingle);
+  EXPECT_EQ(after({gga("120000.00", 2)}), FixQuality::kDifferential);
+  EXPECT_EQ(after({gga("120000.00", 4)}), FixQuality::kRtkFixed);
+  EXPECT_EQ(after({gga("120000.00", 5)}), FixQuality::kRtkFloat);
+  EXPECT_EQ(after({gga("120000.00", 6)}), FixQuality::kEstimated);
+  EXPECT_EQ(after({gga("120000.00", 4), gga("120001.00", 5)}), FixQuality::kRtkFloat) << "the last counts";
+  const std::string rmc = "GNRMC,120000,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W";
+  EXPECT_EQ(after({sentence(rmc)}), FixQuality::kUnknown) << "older than the mode";
+  EXPECT_EQ(after({sentence(rmc + ",R")}), FixQuality::kRtkFixed);
+  EXPECT_EQ(after({sentence(rmc + ",F")}), FixQuality::kRtkFloat);
+  EXPECT_EQ(after({sentence(rmc + ",A")}), FixQuality::kSingle);
+  EXPECT_EQ(after({gga("120000", 4), sentence(rmc + ",A")}), FixQuality::kRtkFixed) << "GGA says more";
+  EXPECT_STREQ(name(FixQuality::kRtkFixed), "rtk fixed");
+}
+
 TEST(NmeaLog, SouthAndWestAreNegative) {
   const WorkLog log = nmea({sentence("GPGGA,000000,3330.0,S,07015.0,W,1,08,0.9,0,M,0,M,,")});
   EXPECT_NEAR(log.fixes[0].position.y, -33.5, 1e-12);

@@ -18,8 +18,8 @@ export const startBrowser = () =>
   });
 
 /** A page with a context of its own. `expected`: errors in the console that the test is about; `allowed`: other servers it may ask. */
-export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce', bypassCSP = false } = {}) {
-  const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true, bypassCSP });
+export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce', bypassCSP = false, locale = 'en-GB' } = {}) {
+  const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true, bypassCSP, locale });
   const page = await context.newPage();
   page.setDefaultTimeout(Number(process.env.TRAMLINE_WAIT ?? 60_000));
   const faults = [];

@@ -16,9 +16,9 @@ export async function chooseFile(page, label, file) {
   await page.getByLabel(label).setInputFiles(file);
 }
 
-export async function openField(page, file) {
-  await chooseFile(page, 'Choose a file with a field', file);
-  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+export async function openField(page, file, words = { file: 'Choose a file with a field', open: /^Open field/ }) {
+  await chooseFile(page, words.file, file);
+  await page.getByRole('region', { name: words.open }).waitFor();
 }
 
 /** 1,234 m² → 1234; figures of the panel by their label. */

@@ -23,6 +23,14 @@ TEST(PageWords, OptionsBecomeWords) {
       "the room for detours belongs to the rule of Versleijen at obstacles: choose that, or leave it out");
 }
 
+TEST(PageWords, SaysWhatToDoOnThePage) {
+  EXPECT_EQ(in_page_words("the plan has tracks and no route; plan it again with --route"),
+            "the plan has tracks and no route; plan the whole job");
+  EXPECT_EQ(in_page_words("a DJI mission needs the altitude of the drone; name a machine file with "
+                          "flight_altitude_m with --machine"),
+            "a DJI mission needs the altitude of the drone; say how high it flies");
+}
+
 TEST(PageWords, WarningsOfASummaryAreTakenAlong) {
   const nlohmann::ordered_json said = summary_in_page_words(nlohmann::ordered_json{
       {"turns", 3},

@@ -1,16 +1,25 @@
 // Drawing a shape: from the first place to what becomes of it.
 import type { Geometry, Place } from '../api/types';
-import { closed, drawing, least, single, type Purpose } from '../state/drawing';
+import { closed, drawing, fixedEnds, least, single, type Purpose } from '../state/drawing';
 import { attempt } from './notices';
 
 type Done = (geometry: Geometry) => Promise<void>;
 let whenDone: Done = async () => {};
+let whenChanged: (places: Place[]) => void = () => {};
+
+interface Begin {
+  /** A shape that is there already. */
+  places?: Place[];
+  /** Called at the end of each change, before the shape is done. */
+  changed?: (places: Place[]) => void;
+}
 
 const NOTHING = { chosen: null, past: [], future: [], pointed: false };
 
-/** Begins to draw, and gives the map the keyboard; `places` is a shape that is there already. `done` is what becomes of the shape. */
-export function drawFor(purpose: Purpose, done: Done, places: Place[] = []): void {
+/** Begins to draw, and gives the map the keyboard; `done` is what becomes of the shape. */
+export function drawFor(purpose: Purpose, done: Done, { places = [], changed = () => {} }: Begin = {}): void {
   whenDone = done;
+  whenChanged = changed;
   drawing.set({ ...NOTHING, purpose, places });
   document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
 }
@@ -27,7 +36,7 @@ function change(places: Place[], more: { chosen?: number | null; pointed?: boole
 /** The next place; `by` says whether it was pointed at. */
 export function add(place: Place, by: 'pointer' | 'keys' = 'keys'): void {
   const { purpose, places } = drawing.get();
-  if (!purpose || purpose === 'edge') return;
+  if (!purpose || purpose === 'edge' || fixedEnds(purpose)) return;
   change(single(purpose) ? [place] : [...places, place], { pointed: by === 'pointer' });
 }
 
@@ -49,11 +58,13 @@ export function move(corner: number, place: Place): void {
 export function moved(before: Place[]): void {
   const { past } = drawing.get();
   drawing.set({ past: [...past, before], future: [], pointed: true });
+  whenChanged(drawing.get().places);
 }
 
 /** The chosen corner goes, or the last one. */
 export function removeCorner(): void {
-  const { chosen, places } = drawing.get();
+  const { chosen, places, purpose } = drawing.get();
+  if (fixedEnds(purpose)) return;
   const at = chosen ?? places.length - 1;
   if (places[at]) change(places.filter((_, i) => i !== at));
 }
@@ -61,12 +72,16 @@ export function removeCorner(): void {
 export function undo(): void {
   const { past, future, places } = drawing.get();
   const before = past[past.length - 1];
-  if (before) drawing.set({ places: before, past: past.slice(0, -1), future: [places, ...future], chosen: null });
+  if (!before) return;
+  drawing.set({ places: before, past: past.slice(0, -1), future: [places, ...future], chosen: null });
+  whenChanged(before);
 }
 export function redo(): void {
   const { past, future, places } = drawing.get();
   const [next, ...rest] = future;
-  if (next) drawing.set({ places: next, past: [...past, places], future: rest, chosen: null });
+  if (!next) return;
+  drawing.set({ places: next, past: [...past, places], future: rest, chosen: null });
+  whenChanged(next);
 }
 
 function geometry(purpose: Purpose, places: Place[]): Geometry {

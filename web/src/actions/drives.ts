@@ -8,9 +8,10 @@ import { fields } from '../state/fields';
 import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../state/review';
 import { loadFields, takeFields } from './fields';
 import { note } from './notices';
-import { stopReplay } from './replay';
+import { stopReplay } from './play/replay';
 import { show } from './session';
-import { asOne, uploadFile } from './upload';
+import { asOne, uploadFile } from './files/upload';
+import { t } from '../words';
 
 export async function loadDrives(): Promise<void> {
   const list = await api.drives();
@@ -23,14 +24,14 @@ export async function takeLogFile(files: File[]): Promise<void> {
   if (upload.kind === 'fields' || nothingDriven) {
     // A task set without logs is no mistake: its fields open.
     show('fields');
-    note(`${upload.name} has no log. Its fields are here.`);
+    note(t`${upload.name} has no log. Its fields are here.`);
     return takeFields(upload);
   }
   if (upload.kind !== 'log') {
-    const what = upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
+    const what = upload.kind === 'plan' ? t`a plan, not a log: choose the file that the machine wrote` : null;
     throw new ApiError(
       'bad_input',
-      what ? `${upload.name} is ${what}.` : `${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? t`${upload.name} is ${what}.` : t`${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }

@@ -4,13 +4,14 @@ import { ApiError } from '../api/errors';
 import { STOPS, tour } from '../state/tour';
 import { storeAll } from './fields';
 import { show } from './session';
-import { busy } from './upload';
+import { busy } from './files/upload';
+import { t } from '../words';
 
 /** Stores the fields drawn for the project as if their file had been chosen, and opens the first. */
 export async function openExampleFarm(): Promise<void> {
-  await busy('Opening the example farm …', async () => {
+  await busy(t`Opening the example farm …`, async () => {
     const response = await fetch('/example-farm.json');
-    if (!response.ok) throw new ApiError('failed', 'The example farm could not be read. Reload the page, then try again.', response.status);
+    if (!response.ok) throw new ApiError('failed', t`The example farm could not be read. Reload the page, then try again.`, response.status);
     const upload = await api.upload(new File([await response.blob()], 'example-farm.geojson'));
     await storeAll(upload);
   });

@@ -10,6 +10,7 @@ import { form, OF_THE_FIELD, requestOf } from '../state/plan_form';
 import { loadFields } from './fields';
 import { complain, note } from './notices';
 import { loadPlans } from './plans';
+import { t } from '../words';
 
 /** Jobs that the server runs at once. */
 const AT_ONCE = 2;
@@ -61,8 +62,8 @@ export async function planFields(list: FieldItem[]): Promise<void> {
     const open = fields.get().open;
     if (open) await loadPlans(open.id);
   }
-  note(`${plural(done, 'field')} ${done === 1 ? 'is' : 'are'} planned${stopped ? '; you stopped the others' : ''}.`);
-  if (failed.length > 0) complain(`${plural(failed.length, 'field')} could not be planned. ${failed.slice(0, 3).join(' ')}`);
+  note(stopped ? t`Planned: ${plural(done, 'field')}; you stopped the others.` : t`Planned: ${plural(done, 'field')}.`);
+  if (failed.length > 0) complain(t`Could not be planned: ${plural(failed.length, 'field')}. ${failed.slice(0, 3).join(' ')}`);
 }
 
 export async function stopPlanning(): Promise<void> {

@@ -5,7 +5,8 @@ import type { FeedItem, FeedRequest } from '../api/types';
 import { fields } from '../state/fields';
 import { loadDrives, openDrive } from './drives';
 import { note } from './notices';
-import { attach, stopReplay } from './replay';
+import { attach, stopReplay } from './play/replay';
+import { t } from '../words';
 
 /** The feeds that the server follows already; none where it cannot be asked. */
 export const runningFeeds = (): Promise<FeedItem[]> => api.feeds().catch(() => []);
@@ -35,7 +36,7 @@ export async function endFeed(feed: string): Promise<void> {
   stopReplay();
   await loadDrives();
   if (drive) await openDrive(drive);
-  else note('No fix arrived, so nothing was stored. Check that the machine sends to this address, then watch it again.');
+  else note(t`No fix arrived, so nothing was stored. Check that the machine sends to this address, then watch it again.`);
 }
 
 /** Work that a server takes up after its start appears among the drives when it is there. */
@@ -50,6 +51,6 @@ export async function readAgain(feed: FeedItem): Promise<void> {
   const request = kept(feed.id);
   stopReplay();
   await awaitTakenUp();
-  note(`${feed.name ?? 'The machine'}: the server was started again. What was worked till then is stored as a drive${request ? '; the machine is being watched again' : ''}.`);
+  note(t`${feed.name ?? t`The machine`}: the server was started again. What was worked till then is stored as a drive.${request ? t` The machine is being watched again.` : ''}`);
   if (request) await watch(request);
 }

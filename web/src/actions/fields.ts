@@ -4,13 +4,15 @@ import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
 import { calledField, fields } from '../state/fields';
+import { hand } from '../state/hand';
 import { form, OF_THE_FIELD } from '../state/plan_form';
 import { plans } from '../state/plans';
 import { review } from '../state/review';
 import { attempt, complain, note } from './notices';
 import { takeUpPlanning } from './planning';
 import { closePlan, loadPlans, openPlan } from './plans';
-import { asOne, busy, uploadFile } from './upload';
+import { asOne, busy, uploadFile } from './files/upload';
+import { t } from '../words';
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
@@ -21,6 +23,7 @@ async function opened(field: FieldFull, plan: string | null = null): Promise<voi
   if (fields.get().open?.id !== field.id) {
     closePlan();
     form.set(OF_THE_FIELD);
+    hand.set({ past: [], future: [], best: null });
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
@@ -31,7 +34,7 @@ async function opened(field: FieldFull, plan: string | null = null): Promise<voi
   void attempt(() => takeUpPlanning(field.id));
 }
 
-export const openField = (id: string, plan: string | null = null) => busy('Opening the field …', async () => opened(await api.field(id), plan));
+export const openField = (id: string, plan: string | null = null) => busy(t`Opening the field …`, async () => opened(await api.field(id), plan));
 
 /** A file of one field opens it; one of several asks which. */
 export async function takeFieldFile(files: File[]): Promise<void> {
@@ -44,10 +47,10 @@ export async function takeFields(sent: Upload): Promise<void> {
   const partfields = sent.kind === 'log' ? (sent.partfields ?? []) : [];
   const upload: Upload = partfields.length > 0 ? { ...sent, kind: 'fields', features: partfields, features_total: partfields.length } : sent;
   if (upload.kind !== 'fields') {
-    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
+    const what = upload.kind === 'log' ? t`the log of a machine: drop it under Review` : upload.kind === 'plan' ? t`a plan, not a field: choose the file of the field itself` : null;
     throw new ApiError(
       'bad_input',
-      what ? `${upload.name} is ${what}.` : `${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? t`${upload.name} is ${what}.` : t`${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }
@@ -75,7 +78,7 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
   try {
     for (const feature of features) {
       if (stopped) break;
-      fields.set({ busy: `Storing ${calledField(feature)}, ${stored + refused.length + 1} of ${features.length} …` });
+      fields.set({ busy: t`Storing ${calledField(feature)}, ${stored + refused.length + 1} of ${features.length} …` });
       try {
         await storeFeature(upload, feature);
         stored++;
@@ -88,8 +91,8 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
     fields.set({ busy: null, taking: false, ...(stopped ? {} : { choosing: null }) });
     await loadFields();
   }
-  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? '; you stopped the others' : ''}. Open one under Your fields.`);
-  if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
+  note(t`Stored: ${plural(stored, 'field')} of ${upload.name}${stopped ? t`; you stopped the others` : ''}. Open one under Your fields.`);
+  if (refused.length > 0) complain(t`Could not be stored: ${plural(refused.length, 'field')}. ${refused.slice(0, 3).join(' ')}`);
 }
 
 /** Stores every field of a file that can be used, and opens the first. */
@@ -102,14 +105,14 @@ export async function storeAll(upload: Upload): Promise<void> {
 }
 
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
-  const field = await busy('Checking the field …', () => storeFeature(upload, feature));
+  const field = await busy(t`Checking the field …`, () => storeFeature(upload, feature));
   fields.set({ choosing: null });
   await opened(await api.field(field.id));
   await loadFields();
 }
 
 export async function storeDrawnField(name: string, geometry: Geometry): Promise<void> {
-  const field = await busy('Checking the field …', () => api.storeField({ name, geometry }));
+  const field = await busy(t`Checking the field …`, () => api.storeField({ name, geometry }));
   await opened(await api.field(field.id));
   await loadFields();
 }
@@ -133,5 +136,5 @@ export async function deleteField(id: string): Promise<void> {
     fields.set({ open: null });
   }
   await loadFields();
-  note('The field is deleted. Its drives are still under Review, and its plans are still in the server’s folder.');
+  note(t`The field is deleted. Its drives are still under Review, and its plans are still in the server’s folder.`);
 }

@@ -2,6 +2,7 @@
 import { ApiError } from '../api/errors';
 import { Cancelled } from '../api/jobs';
 import { notices, type Notice } from '../state/notices';
+import { t } from '../words';
 
 let last = 0;
 function add(kind: Notice['kind'], text: string): void {
@@ -22,12 +23,12 @@ export async function attempt(action: () => Promise<unknown>): Promise<boolean> 
     await action();
     return true;
   } catch (error) {
-    if (error instanceof Cancelled) note('Cancelled. Nothing was changed.');
+    if (error instanceof Cancelled) note(t`Cancelled. Nothing was changed.`);
     else if (error instanceof ApiError) {
       if (!error.away) complain(error.message); // the banner already says that the server is away
     } else {
       console.error(error);
-      complain('Something went wrong on this page. Reload it; what was saved is still there.');
+      complain(t`Something went wrong on this page. Reload it; what was saved is still there.`);
     }
     return false;
   }

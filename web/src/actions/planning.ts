@@ -4,12 +4,21 @@ import { follow } from '../api/jobs';
 import type { Job } from '../api/types';
 import { fields } from '../state/fields';
 import { form, isShowing, requestOf } from '../state/plan_form';
+import { hand } from '../state/hand';
 import { plans } from '../state/plans';
 import { attempt, note } from './notices';
 import { loadPlans, openPlan, showPlan } from './plans';
+import { t } from '../words';
 
 let run = 0;
 let timer = 0;
+
+/** While somebody has a hand on the plan, the next one is to be seen at once. */
+const AT_ONCE_S = 1;
+function soon(): { seconds?: number } {
+  const { past, future } = hand.get();
+  return past.length + future.length > 0 ? { seconds: AT_ONCE_S } : {};
+}
 
 /** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
 export async function makePlan(draft = false): Promise<void> {
@@ -19,7 +28,7 @@ export async function makePlan(draft = false): Promise<void> {
   clearTimeout(timer); // what is planned now needs no second time
   const going = plans.get().job;
   if (going) await api.cancelJob(going.id).catch(() => {});
-  const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
+  const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft, ...soon() } : {}) });
   await finish(job, mine, showPlan);
 }
 
@@ -29,7 +38,7 @@ async function finish(job: Job, mine: number, open: (plan: string) => Promise<un
   try {
     const result = await follow(job, (state) => mine === run && plans.set({ job: state }));
     if (mine !== run || !result.plan) return;
-    if (fields.get().open?.id !== field) return note('The plan of the field before is made: it opens with its field.');
+    if (fields.get().open?.id !== field) return note(t`The plan of the field before is made: it opens with its field.`);
     await open(result.plan);
     await loadPlans(field);
   } catch (error) {

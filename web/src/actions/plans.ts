@@ -2,6 +2,7 @@
 import { api } from '../api/client';
 import { ApiError } from '../api/errors';
 import type { Box, FeatureCollection, PlanFull, PlanItem } from '../api/types';
+import { between } from '../metres';
 import { fields } from '../state/fields';
 import { showAsked } from '../state/plan_form';
 import { isShown, plans } from '../state/plans';
@@ -53,9 +54,9 @@ async function show(id: string, figured: (plan: PlanFull) => void): Promise<void
 /** Shapes as fine as a screen shows a whole field: half a pixel of one that fills it. */
 const SCREEN_PX = 1600;
 const FINEST_M = 0.02;
-const DEGREE_M = 111_320;
 function coarse([west, south, east, north]: Box): number {
-  const size_m = DEGREE_M * Math.max((east - west) * Math.cos((south * Math.PI) / 180), north - south);
+  const [width_m, height_m] = between([west, south], [east, north]);
+  const size_m = Math.max(width_m, height_m);
   return Math.max(FINEST_M, Math.round((100 * size_m) / SCREEN_PX) / 100);
 }
 

@@ -5,8 +5,9 @@ import { form } from '../state/plan_form';
 import { review } from '../state/review';
 import { note } from './notices';
 import { openPlan } from './plans';
-import { stopReplay } from './replay';
+import { stopReplay } from './play/replay';
 import { show } from './session';
+import { t } from '../words';
 
 /** The repair plan of the open drive's gaps, shown in the plan view. */
 export async function planTheGaps(least_m2: number): Promise<void> {
@@ -20,7 +21,7 @@ export async function planTheGaps(least_m2: number): Promise<void> {
     stopReplay();
     await openPlan(result.plan);
     show('plan');
-    note('This is the plan for what was missed. Download it below, or go back to Review.');
+    note(t`This is the plan for what was missed. Download it below, or go back to Review.`);
   } finally {
     review.set({ job: null });
   }

@@ -1,4 +1,5 @@
 // Which view is open, and in which theme.
+import { language, LANGUAGE_KEY, type Language } from '../words';
 import { dark, isNight, session, THEME_KEY, type Theme, type View } from '../state/session';
 
 /** A view begins at its top. */
@@ -19,6 +20,13 @@ export function setTheme(theme: Theme): void {
   session.set({ theme });
   applyTheme();
 }
+/** Words are looked up once, when the page is loaded: it is loaded anew, and opens what is open now. */
+export function setLanguage(chosen: Language): void {
+  if (chosen === language) return;
+  localStorage.setItem(LANGUAGE_KEY, chosen);
+  location.reload();
+}
+
 dark.addEventListener('change', () => {
   if (session.get().theme !== 'auto') return;
   applyTheme();

@@ -14,6 +14,7 @@ import { loadPlans, openPlan } from './plans';
 import { loadUsualRates } from './rates';
 import { greet } from './server';
 import { show } from './session';
+import { followOtherTabs } from './tabs';
 
 const opened = readAddress();
 let kept = false;
@@ -31,6 +32,7 @@ export async function start(): Promise<void> {
   else if (plan) await openPlan(plan).catch(() => {});
   if (drive) await openDrive(drive).catch(() => {});
   keepAddress(goBack);
+  followOtherTabs();
 }
 
 /** Opens what stood in the address before. */

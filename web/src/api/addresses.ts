@@ -5,8 +5,10 @@ const id = encodeURIComponent;
 // Two centimetres are less than a screen shows, and a day's work is a third of the bytes.
 const SEEN = 'detail_m=0.02';
 
-export const planFile = (plan: string, format: string, crs = '') =>
-  `${base}/plans/${id(plan)}/files/${format}${crs ? `?crs=${id(crs)}` : ''}`;
+export function planFile(plan: string, format: string, query: Record<string, string | number> = {}): string {
+  const words = Object.entries(query).map(([key, value]) => `${key}=${id(value)}`).join('&');
+  return `${base}/plans/${id(plan)}/files/${format}${words ? `?${words}` : ''}`;
+}
 export const driveFile = (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`;
 
 export const jobEvents = (job: string) => `${base}/jobs/${id(job)}/events`;

@@ -1,5 +1,6 @@
 // Requests to the server. Every failure becomes an ApiError with one sentence for the user.
 import { sentence } from '../format';
+import { t } from '../words';
 import { base } from './addresses';
 import { ApiError, AWAY } from './errors';
 import type * as T from './types';
@@ -34,9 +35,9 @@ async function send(method: string, path: string, body?: unknown, signal?: Abort
   return response;
 }
 
-async function failure(response: Response): Promise<ApiError> {
+export async function failure(response: Response): Promise<ApiError> {
   let code = 'failed';
-  let message = `The server answered with the status ${response.status}. Try again, or look at what the server prints.`;
+  let message = t`The server answered with the status ${response.status}. Try again, or look at what the server prints.`;
   try {
     const told = (await response.json()) as { error?: { code?: string; message?: string } };
     if (told.error?.message) message = sentence(told.error.message);
@@ -68,6 +69,7 @@ const id = encodeURIComponent;
 
 export const api = {
   info: () => json<T.ServerInfo>('GET', ''),
+  addresses: () => json<{ addresses: string[] }>('GET', '/session'),
   session: (token: string) => json<void>('POST', '/session', { token }),
 
   upload: (file: File) => json<T.Upload>('POST', `/uploads?name=${id(file.name)}`, file),

@@ -1,4 +1,6 @@
 // What goes wrong with a request, as one sentence for the user.
+import { t } from '../words';
+
 export class ApiError extends Error {
   constructor(
     readonly code: string,
@@ -13,4 +15,4 @@ export class ApiError extends Error {
   }
 }
 
-export const AWAY = 'The tramline server does not answer. Start it again with “tramline serve”; this page then reconnects by itself.';
+export const AWAY = t`The tramline server does not answer. Start it again with “tramline serve”; this page then reconnects by itself.`;

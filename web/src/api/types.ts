@@ -24,6 +24,8 @@ export interface ServerInfo {
   limits: { upload_bytes: number; streams: number; jobs: number };
   tiles: string | null;
   tiles_attribution: string | null;
+  /** Where tiles of a file of the server lie, and their levels. */
+  tiles_of: { bbox: Box; first_zoom: number; last_zoom: number } | null;
 }
 
 export interface UploadedFeature {
@@ -71,8 +73,6 @@ export interface FieldItem {
   geodetic: boolean;
   bbox: Box;
   created: string;
-  /** When its shape was changed last; empty: never. */
-  reshaped: string;
   crop: string;
   tags: string[];
   /** Only in the list: few corners, for a map of all fields. */
@@ -138,7 +138,16 @@ export interface Prices {
   subfield: number;
 }
 export type EndRule = 'cheapest' | 'centre' | 'cover' | 'inside';
+/** Drawn on a field for a plan: a subfield, a line to cut along, land that no swath enters, or land that need not be worked. */
+export interface Land {
+  kind: 'subfield' | 'cut' | 'skip' | 'done';
+  geometry: Geometry;
+  direction_deg?: number;
+  /** What the tracks of a subfield follow. */
+  guide?: Place[];
+}
 export interface PlanSettings {
+  land?: Land[];
   strategy?: 'best' | 'sweep';
   end_rule?: EndRule;
   boundary?: 'soft' | 'hard';
@@ -165,6 +174,8 @@ export interface PlanRequest {
   explain?: boolean;
   /** The next draft of the field replaces it, unless the user wants it. */
   draft?: boolean;
+  /** The search ends then with the best plan that it has. */
+  seconds?: number;
   name?: string;
 }
 
@@ -235,6 +246,8 @@ export interface PlanItem extends Tally {
   width_m: number;
   kind: string;
   draft: boolean;
+  /** The field has another shape now. */
+  earlier_shape: boolean;
   /** Null where it has no route. */
   route: { hours: number; litres: number; euros: number } | null;
 }
@@ -306,6 +319,8 @@ export interface PlanSummary extends Tally {
   route?: Route;
   whole_cost?: WholeCost;
   seconds?: number;
+  /** The search ended before it was through. */
+  cut_short?: boolean;
   repairs?: Repair[];
   skipped?: Skipped[];
   dropped?: { length_m: number }[];
@@ -359,6 +374,10 @@ export interface PlanFull {
   summary: PlanSummary;
   explain: Explain | null;
   asked: Asked | null;
+  /** The field has another shape now. */
+  earlier_shape: boolean;
+  /** Of the fuel at work, with the work off. */
+  idle_fuel_share: number;
   bbox: Box;
 }
 export interface LayerItem {
@@ -528,6 +547,8 @@ export interface WorkTile {
   covered: Place[][][];
   repeated: Place[][][];
 }
+/** How the receiver came by a position. */
+export type FixQuality = 'single' | 'differential' | 'rtk float' | 'rtk fixed' | 'estimated';
 export interface WorkFrame {
   time_s: number | null;
   fix: number;
@@ -535,6 +556,7 @@ export interface WorkFrame {
   at: Place | null;
   heading_deg: number | null;
   working: boolean;
+  quality: FixQuality | null;
   figures: WorkFigures;
   line: Place[];
   all: boolean;

@@ -1,7 +1,7 @@
 // The edges of a field as people see them: from corner to corner, bends between.
 import type { FieldFull, Place } from '../api/types';
 import { fields } from '../state/fields';
-import { bearing, between, distance } from './metres';
+import { bearing, between, distance } from '../metres';
 
 export interface Edge {
   number: number;

@@ -2,6 +2,7 @@
 import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
 import { complain } from '../actions/notices';
 import type { Box, Place } from '../api/types';
+import { measures } from '../measures';
 import { fields } from '../state/fields';
 import { isNight, session, tilesHost } from '../state/session';
 import * as camera from './camera';
@@ -17,6 +18,7 @@ import { followPlan } from './show_plan';
 import { followRoutePlay } from './show_route_play';
 import { followWork } from './show_work';
 import { mapStyle } from './layers/style';
+import { t } from '../words';
 
 const START: Place = [10, 51];
 let shown: LiveMap | null = null;
@@ -39,6 +41,7 @@ function keepGrid(map: GlMap, scaled: (scale: Scale) => void): void {
   };
   map.on('moveend', draw);
   map.on('resize', draw);
+  measures.listen(draw);
   fields.listen(anchor);
   anchor();
 }
@@ -50,7 +53,7 @@ function keepTheme(map: GlMap): void {
     night = isNight();
     const colours = night ? NIGHT : DAY;
     const visibility = map.getStyle().layers.map((layer) => [layer.id, layer.layout?.visibility] as const);
-    for (const layer of mapStyle(colours, session.get().info?.tiles ?? null).layers) {
+    for (const layer of mapStyle(colours, session.get().info).layers) {
       for (const [name, value] of Object.entries(layer.paint ?? {})) map.setPaintProperty(layer.id, name, value);
     }
     for (const [layer, value] of visibility) if (value) map.setLayoutProperty(layer, 'visibility', value);
@@ -74,7 +77,7 @@ function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
     if ((event as { sourceId?: string }).sourceId !== 'tiles') return console.error(event.error);
     if (told || !session.get().tiles) return;
     told = true;
-    complain(`The background could not be loaded from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
+    complain(t`The background could not be loaded from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
   });
   if (!map.getLayer('tiles')) return;
   const sync = () => {
@@ -88,7 +91,7 @@ function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
 
 function keepFocus(map: GlMap): void {
   const canvas = map.getCanvas();
-  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner at the centre.');
+  canvas.setAttribute('aria-label', t`Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner at the centre.`);
   canvas.setAttribute('role', 'application');
 }
 
@@ -96,7 +99,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
   maplibregl.setWorkerUrl('/map-worker.js');
   const map = new maplibregl.Map({
     container,
-    style: mapStyle(isNight() ? NIGHT : DAY, session.get().info?.tiles ?? null),
+    style: mapStyle(isNight() ? NIGHT : DAY, session.get().info),
     center: START,
     zoom: 15,
     maxZoom: 22,
@@ -107,7 +110,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
     touchPitch: false,
     fadeDuration: 0,
     renderWorldCopies: false,
-    locale: { 'Map.Title': 'Map' },
+    locale: { 'Map.Title': t`Map` },
   });
   map.touchZoomRotate.disableRotation();
   map.keyboard.disableRotation();

@@ -1,7 +1,7 @@
 // The metre grid under everything, and the scale bar.
 import type { GeoJSONSource, LayerSpecification, Map as GlMap } from 'maplibre-gl';
 import type { Feature, Place } from '../api/types';
-import { between, degreeLengths, moved, roundStep } from './metres';
+import { between, degreeLengths, moved, roundStep_m } from '../metres';
 import type { Colours } from './palette';
 
 const LEAST_PX = 64;
@@ -24,7 +24,7 @@ function metresPerPixel(map: GlMap): number {
 
 /** Draws the lines for what is in sight, counted from `origin`; every fifth is stronger. Gives their step. */
 export function drawGrid(map: GlMap, origin: Place): number {
-  const step = roundStep(metresPerPixel(map) * LEAST_PX);
+  const step = roundStep_m(metresPerPixel(map) * LEAST_PX);
   const bounds = map.getBounds();
   const [w, s] = between(origin, [bounds.getWest(), bounds.getSouth()]);
   const [e, n] = between(origin, [bounds.getEast(), bounds.getNorth()]);
@@ -51,6 +51,6 @@ export interface Scale {
 
 export function scaleOf(map: GlMap): Pick<Scale, 'length_m' | 'width_px'> {
   const perPixel = metresPerPixel(map);
-  const length_m = roundStep(perPixel * 70);
+  const length_m = roundStep_m(perPixel * 70);
   return { length_m, width_px: length_m / perPixel };
 }

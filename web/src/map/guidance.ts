@@ -1,6 +1,6 @@
 // How far a machine is from the line that it follows.
 import type { FeatureCollection, Place } from '../api/types';
-import { between } from './metres';
+import { between } from '../metres';
 
 export interface OffLine {
   /** To the right of the line as the machine drives it; to the left below 0. */

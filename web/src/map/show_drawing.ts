@@ -1,25 +1,26 @@
 // Clicks and keys on the map while something is drawn or an edge is picked.
 import type { MapLayerMouseEvent, MapLayerTouchEvent } from 'maplibre-gl';
 import { add, choose, finish, insert, move, moved, redo, removeCorner, stop, undo } from '../actions/drawing';
+import { edit } from '../actions/hand';
 import type { Feature, Place } from '../api/types';
-import { closed, drawing, least, single } from '../state/drawing';
+import { closed, drawing, fixedEnds, least, single } from '../state/drawing';
 import { form } from '../state/plan_form';
 import { session } from '../state/session';
 import { nearestEdge, openEdges } from './edges';
 import { collection, NOTHING, type LiveMap } from './live_map';
 
 /** Corners, and between any two a smaller one, from which a new corner is dragged. */
-function corners(places: Place[], ring: boolean, chosen: number | null): Feature[] {
+function corners(places: Place[], ring: boolean, chosen: number | null, fixed: boolean): Feature[] {
   const point = (place: Place, properties: Record<string, unknown>): Feature => ({ type: 'Feature', properties, geometry: { type: 'Point', coordinates: place } });
-  const between = places.flatMap((place, i) => {
+  const between = fixed ? [] : places.flatMap((place, i) => {
     const next = i + 1 < places.length ? places[i + 1] : ring && places.length > 2 ? places[0] : undefined;
     return next ? [point([(place[0] + next[0]) / 2, (place[1] + next[1]) / 2], { after: i, between: true, chosen: false })] : [];
   });
   return [...between, ...places.map((place, i) => point(place, { corner: i, between: false, chosen: i === chosen }))];
 }
 
-function shape(places: Place[], ring: boolean, chosen: number | null): Feature[] {
-  const points = corners(places, ring, chosen);
+function shape(places: Place[], ring: boolean, chosen: number | null, fixed: boolean): Feature[] {
+  const points = corners(places, ring, chosen, fixed);
   if (places.length < 2) return points;
   const line: Feature = { type: 'Feature', properties: {}, geometry: { type: 'LineString', coordinates: ring ? [...places, places[0]!] : places } };
   const area: Feature = { type: 'Feature', properties: {}, geometry: { type: 'Polygon', coordinates: [[...places, places[0]!]] } };
@@ -46,7 +47,7 @@ const ENDS = ['mouseup', 'touchend', 'touchcancel'] as const;
 export function followDrawing({ map, fill }: LiveMap): void {
   const sync = () => {
     const { purpose, places, chosen } = drawing.get();
-    fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose), chosen)) : NOTHING);
+    fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose), chosen, fixedEnds(purpose))) : NOTHING);
     map.getCanvas().style.cursor = purpose ? 'crosshair' : '';
     if (purpose) map.doubleClickZoom.disable();
     else map.doubleClickZoom.enable();
@@ -57,10 +58,12 @@ export function followDrawing({ map, fill }: LiveMap): void {
   const guide = () => {
     const picking = drawing.get().purpose === 'edge';
     const line = form.get().line;
+    const { land } = form.get();
     const here = session.get().view === 'plan' || picking;
     const offered = picking ? openEdges().map((edge) => guideFeature(edge.line, false)) : [];
     const chosen = here && line ? [guideFeature(line, true)] : [];
     fill('edges', collection([...offered, ...chosen, ...(here ? gates() : [])]));
+    fill('land', collection(here ? land.map(({ kind, geometry }) => ({ type: 'Feature' as const, properties: { kind }, geometry })) : []));
   };
   for (const from of [drawing, form, session]) from.listen(guide);
   guide();
@@ -69,7 +72,7 @@ export function followDrawing({ map, fill }: LiveMap): void {
     if (drawing.get().purpose !== 'edge') return add(place, by);
     const nearest = nearestEdge(openEdges(), place);
     if (!nearest) return;
-    form.set({ line: nearest.edge.line });
+    edit({ line: nearest.edge.line });
     stop();
   };
   /** The shape is done where the first corner is met again. */

@@ -5,7 +5,7 @@ import { isShown, plans } from '../state/plans';
 import { replay } from '../state/replay';
 import { session } from '../state/session';
 import { NOTHING, type LiveMap } from './live_map';
-import { degreeLengths } from './metres';
+import { degreeLengths } from '../metres';
 import { PARTS_OF } from './layers/plan_layers';
 import { endsOf } from './route_ends';
 

@@ -5,7 +5,7 @@ import { plans } from '../state/plans';
 import { routePlay, soFar, waysOf } from '../state/route_play';
 import { session } from '../state/session';
 import { collection, NOTHING, type LiveMap } from './live_map';
-import { bearing, distance } from './metres';
+import { bearing, distance } from '../metres';
 import type { Colours } from './palette';
 
 export const routePlayLayers = (c: Colours): LayerSpecification[] => [
@@ -55,7 +55,7 @@ export function followRoutePlay({ fill, visible }: LiveMap): void {
       shapes = all['route_legs'];
       ways = waysOf(shapes, route.legs.length);
     }
-    const { leg, share } = soFar(route, open.summary.whole_cost, at_s);
+    const { leg, share } = soFar(open, at_s);
     const now = ways[leg];
     if (!now || now.length < 2) return;
     const { way, heading_deg } = driven(now, share);

@@ -1,5 +1,5 @@
 import type { GeoJSONSource } from 'maplibre-gl';
-import { onFrame } from '../actions/replay';
+import { onFrame } from '../actions/play/replay';
 import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types';
 import { replay } from '../state/replay';
 import { DRIVE_LAYERS, review } from '../state/review';

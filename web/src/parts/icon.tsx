@@ -12,6 +12,7 @@ const PATHS = {
   compare: 'M3 17V3M3 17H17M6.5 6.5h.01M9 11h.01M14 13.5h.01',
   review: 'M10 3A7 7 0 1 0 17 10M10 6V10L13 12',
   bin: 'M4 6H16M8 6V4H12V6M6 6 7 17H13L14 6',
+  settings: 'M3 6H9M13 6H17M3 14H7M11 14H17M11 4V8M9 12V16',
   down: 'M10 3V13M5.5 9 10 13.5 14.5 9M4 17H16',
 } as const;
 export type IconName = keyof typeof PATHS;

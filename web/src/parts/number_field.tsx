@@ -1,7 +1,11 @@
 import { useEffect, useId, useState } from 'preact/hooks';
+import { measures, unitOf } from '../measures';
+import { useStore } from '../state/store';
+import { language, t } from '../words';
 
 interface Props {
   label: string;
+  /** Of value, least and most: "m", "€/ha". The reader sees, and types, the one of theirs. */
   unit: string;
   value: number | null;
   least: number;
@@ -10,36 +14,45 @@ interface Props {
   optional?: boolean;
   whole?: boolean;
   hint?: string;
-  /** What an empty field stands for. */
-  placeholder?: string;
+  /** What an empty field stands for: a word, or a value. */
+  placeholder?: string | number;
   change: (value: number | null) => void;
 }
 
-const shown = (value: number | null) => (value === null ? '' : String(value));
+/** Of what was converted the digits that matter. */
+const DIGITS = 5;
+const inUnit = (value: number, size: number) => (size === 1 ? value : Number((value / size).toPrecision(DIGITS)));
+const shown = (value: number | null, size: number) => (value === null ? '' : language === 'de' ? String(inUnit(value, size)).replace('.', ',') : String(inUnit(value, size)));
+/** Comma and point both part decimals. */
+const read = (text: string) => (text === '' ? NaN : Number(text.replace(',', '.')));
 
-/** A number with its unit; one that cannot be is told and not passed on. Comma and point both part decimals. */
-export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, placeholder, change }: Props) {
+/** A number with its unit; one that cannot be is told and not passed on. */
+export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, placeholder = '', change }: Props) {
   const id = useId();
-  const [text, setText] = useState(shown(value));
+  useStore(measures, (all) => all);
+  const { name, size } = unitOf(unit);
+  const [text, setText] = useState(shown(value, size));
   const [fault, setFault] = useState('');
   useEffect(() => {
-    if (Number(text.replace(',', '.')) === value && text !== '') return;
-    setText(shown(value));
+    if (read(text.trim()) * size === value) return;
+    setText(shown(value, size));
     setFault('');
-  }, [value]);
+  }, [value, size]);
 
   const typed = (input: string) => {
     setText(input);
-    const trimmed = input.trim().replace(',', '.');
+    const trimmed = input.trim();
     if (trimmed === '' && optional) {
       setFault('');
       change(null);
       return;
     }
-    const number = Number(trimmed);
-    const right = trimmed !== '' && Number.isFinite(number) && number >= least && number <= most && (!whole || Number.isInteger(number));
-    setFault(right ? '' : `Type a ${whole ? 'whole ' : ''}number from ${least} to ${most}.`);
-    if (right) change(number);
+    const number = read(trimmed);
+    const [low, high] = [inUnit(least, size), inUnit(most, size)];
+    const right = Number.isFinite(number) && number >= low && number <= high && (!whole || Number.isInteger(number));
+    setFault(right ? '' : whole ? t`Type a whole number from ${low} to ${high}.` : t`Type a number from ${low} to ${high}.`);
+    // Limits are rounded in units that are converted.
+    if (right) change(size === 1 ? number : Math.min(most, Math.max(least, number * size)));
   };
   return (
     <div class="field">
@@ -51,16 +64,16 @@ export function NumberField({ label, unit, value, least, most, optional = false,
           inputMode={whole ? 'numeric' : 'decimal'}
           autocomplete="off"
           value={text}
-          placeholder={placeholder}
+          placeholder={typeof placeholder === 'number' ? shown(Math.round(placeholder * 100) / 100, size) : placeholder}
           aria-invalid={fault !== ''}
           aria-describedby={`${id}-more`}
           onInput={(event) => typed(event.currentTarget.value)}
         />
-        {unit && <span class="unit" aria-hidden="true">{unit}</span>}
+        {name && <span class="unit" aria-hidden="true">{name}</span>}
       </div>
       <p id={`${id}-more`} class={fault ? 'fault' : 'hint'}>
         {fault || hint}
-        {unit && <span class="unseen"> In {unit}.</span>}
+        {name && <span class="unseen">{t` In ${name}.`}</span>}
       </p>
     </div>
   );

@@ -1,5 +1,6 @@
 import type { Job } from '../api/types';
 import { Button } from './button';
+import { t } from '../words';
 
 const TELLING = 0.1;
 const LEAST_S = 2;
@@ -7,7 +8,7 @@ const LEAST_S = 2;
 function timeLeft(share: number, seconds: number): string | null {
   if (share < TELLING || seconds < LEAST_S) return null;
   const left = (seconds * (1 - share)) / share;
-  return left < 1 ? 'Nearly done.' : `About ${left < 90 ? `${Math.ceil(left)} s` : `${Math.ceil(left / 60)} min`} left.`;
+  return left < 1 ? t`Nearly done.` : left < 90 ? t`About ${Math.ceil(left)} s left.` : t`About ${Math.ceil(left / 60)} min left.`;
 }
 
 /** How far a job is, and a way out. */
@@ -20,9 +21,9 @@ export function Progress({ job, title, cancel }: { job: Job; title: string; canc
         <span>{job.what ? `${title}: ${job.what}` : title}</span>
         {share !== null && <span class="number">{Math.floor(share * 100)} %</span>}
       </div>
-      <p class="hint">{left ?? (job.state === 'queued' ? 'Waiting for other work.' : `${Math.round(job.seconds)} s so far.`)}</p>
+      <p class="hint">{left ?? (job.state === 'queued' ? t`Waiting for other work.` : t`${Math.round(job.seconds)} s so far.`)}</p>
       {share === null ? <progress aria-label={title} /> : <progress aria-label={title} value={share} max={1} />}
-      <Button onClick={cancel}>Cancel</Button>
+      <Button onClick={cancel}>{t`Cancel`}</Button>
     </div>
   );
 }

@@ -1,6 +1,7 @@
 // Finding something in a long list by any words of it.
 import { useId } from 'preact/hooks';
 import { plural } from '../format';
+import { t } from '../words';
 
 /** Lists up to so long can be taken in at a glance. */
 export const LONG = 8;
@@ -43,7 +44,7 @@ export function Search({ label, typed, found, all, list, change }: Props) {
       <label for={id}>{label}</label>
       <input id={id} type="search" autocomplete="off" spellcheck={false} value={typed} onInput={(event) => change(event.currentTarget.value)} onKeyDown={keys} />
       <p class="hint" role="status">
-        {typed.trim() === '' ? `${plural(all, 'field')}.` : found === 0 ? `None of ${plural(all, 'field')} has these words. Type fewer letters.` : `${found} of ${plural(all, 'field')}.`}
+        {typed.trim() === '' ? `${plural(all, 'field')}.` : found === 0 ? t`None of ${plural(all, 'field')} has these words. Type fewer letters.` : t`${found} of ${plural(all, 'field')}.`}
       </p>
     </div>
   );

@@ -2,14 +2,15 @@
 import type { UploadedFeature } from '../api/types';
 import { hectares } from '../format';
 import { calledField } from './fields';
+import { t } from '../words';
 
 export type Sorting = 'file' | 'name' | 'large' | 'small' | 'crop';
 export const SORTINGS: { value: Sorting; label: string }[] = [
-  { value: 'file', label: 'as in the file' },
-  { value: 'name', label: 'name' },
-  { value: 'large', label: 'area, the largest first' },
-  { value: 'small', label: 'area, the smallest first' },
-  { value: 'crop', label: 'crop' },
+  { value: 'file', label: t`as in the file` },
+  { value: 'name', label: t`name` },
+  { value: 'large', label: t`area, the largest first` },
+  { value: 'small', label: t`area, the smallest first` },
+  { value: 'crop', label: t`crop` },
 ];
 
 const byWords = new Intl.Collator('en-GB', { numeric: true }).compare;

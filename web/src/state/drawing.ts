@@ -2,7 +2,7 @@
 import type { Place } from '../api/types';
 import { store } from './store';
 
-export type Purpose = 'field' | 'boundary' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate';
+export type Purpose = 'field' | 'boundary' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate' | 'direction' | 'skip' | 'exempt' | 'subfield' | 'cut' | 'lock';
 export const drawing = store<{
   purpose: Purpose | null;
   places: Place[];
@@ -19,5 +19,8 @@ export const drawing = store<{
 export const single = (purpose: Purpose | null) => purpose === 'obstacle-point' || purpose === 'gate';
 /** How many places a shape needs at least. */
 export const least = (purpose: Purpose) =>
-  single(purpose) ? 1 : purpose === 'guide' || purpose === 'obstacle-line' ? 2 : 3;
-export const closed = (purpose: Purpose | null) => purpose === 'field' || purpose === 'boundary' || purpose === 'obstacle-area';
+  single(purpose) ? 1 : closed(purpose) ? 3 : 2;
+const CLOSED: readonly (Purpose | null)[] = ['field', 'boundary', 'obstacle-area', 'skip', 'exempt', 'subfield', 'lock'];
+export const closed = (purpose: Purpose | null) => CLOSED.includes(purpose);
+/** Two ends that are there from the start, and are only moved. */
+export const fixedEnds = (purpose: Purpose | null) => purpose === 'direction';

@@ -1,6 +1,8 @@
 // What the user asks a plan for.
-import type { Asked, EndRule, Machine, Place, PlanFull, PlanRequest, PlanSettings, Prices } from '../api/types';
+import type { Asked, EndRule, Land, Machine, Place, PlanFull, PlanRequest, PlanSettings, Prices } from '../api/types';
+import { landPrices } from './rates';
 import { store } from './store';
+import { t } from '../words';
 
 export type Shape = 'straight' | 'curved' | 'auto';
 /** What plans are compared by: the whole job at the rates of the machine, or tracks alone at prices of their own. */
@@ -26,6 +28,8 @@ export interface PlanForm extends Usual {
   sliders: { overlap: number; uncovered: number; turns: number };
   end_rule: EndRule;
   line: Place[] | null;
+  /** Drawn on the open field for its plans. */
+  land: Land[];
   clearance_m: number;
   avoid: 'cheapest' | 'cut';
   again: boolean;
@@ -42,7 +46,7 @@ export const MIDDLE = 5;
 export const priceAt = (notch: number, usual: number) => (notch === 0 ? 0 : usual * 2 ** ((notch - MIDDLE) / 0.75));
 
 /** What is drawn on a field, and means nothing on another. */
-export const OF_THE_FIELD = { line: null, start: null, end: null };
+export const OF_THE_FIELD: Pick<PlanForm, 'line' | 'start' | 'end' | 'land'> = { line: null, start: null, end: null, land: [] };
 const KEEP = 'tramline-plan-form-2';
 const first: PlanForm = {
   machine: { width_m: 6, radius_m: 6 },
@@ -129,10 +133,22 @@ function settingsOf(value: PlanForm): PlanSettings {
     settings.line = value.shape === 'straight' ? [begin, end] : value.line;
     delete settings.curved;
   }
+  if (value.land.length > 0) settings.land = value.land;
   return Object.assign(settings, value.by === 'whole' || value.route ? routeOf(value) : { route: false });
 }
 
-export function requestOf(value: PlanForm, field: string): PlanRequest {
+/** Land that need not be worked is taken off the field: then tracks alone are planned, since headland passes go round a whole one. */
+function planned(value: PlanForm): PlanForm {
+  if (!value.land.some(({ kind }) => kind === 'done')) return value;
+  const whole = value.by === 'whole';
+  return {
+    ...value, headlands: 0, obstacle_headlands: 0, route: false,
+    ...(whole ? { by: 'prices' as const, prices: landPrices(value.machine.rates, USUAL), shape: 'straight' as const } : {}),
+  };
+}
+
+export function requestOf(asked: PlanForm, field: string): PlanRequest {
+  const value = planned(asked);
   const { name, width_m, radius_m, min_length_m, turning, rates } = value.machine;
   const machine: Machine = { width_m, radius_m };
   if (name) machine.name = name;
@@ -152,17 +168,18 @@ export interface CompareRequest {
 /** Passes that are left to turns are as many as the plan on the map has all round. */
 export function compareRequestOf(value: PlanForm, field: string, passes: number, land: Prices = value.prices): CompareRequest {
   const instead: string[] = [];
-  if (value.by === 'whole') instead.push('Tracks are compared by themselves, without the way between them.');
-  if (value.line) instead.push('Tracks go in every direction, not only along the line that is chosen.');
-  if (value.shape !== 'straight') instead.push('All tracks are straight.');
-  const settle = (asked: Passes, usual: number, what: string) => {
+  if (value.by === 'whole') instead.push(t`Tracks are compared by themselves, without the way between them.`);
+  if (value.land.length > 0) instead.push(t`It is of the whole field, without what was done by hand.`);
+  if (value.line) instead.push(t`Tracks go in every direction, not only along the line that is chosen.`);
+  if (value.shape !== 'straight') instead.push(t`All tracks are straight.`);
+  const settle = (asked: Passes, usual: number) => {
     if (asked !== 'auto') return asked;
-    instead.push(`${usual === 0 ? 'No' : usual} headland ${usual === 1 ? 'pass' : 'passes'} ${what}.`);
+    instead.push(usual === 0 ? t`No headland passes go round the field.` : t`Headland passes round the field: ${usual}.`);
     return usual;
   };
   const tracks: PlanForm = {
-    ...value, by: value.by === 'whole' ? 'prices' : value.by, prices: value.by === 'whole' ? land : value.prices, route: false, shape: 'straight', line: null,
-    headlands: settle(value.headlands, passes, 'go round the field'),
+    ...value, by: value.by === 'whole' ? 'prices' : value.by, prices: value.by === 'whole' ? land : value.prices, route: false, shape: 'straight', line: null, land: [],
+    headlands: settle(value.headlands, passes),
     obstacle_headlands: value.obstacle_headlands === 'auto' ? 0 : value.obstacle_headlands,
   };
   const request = requestOf(tracks, field);
@@ -191,6 +208,7 @@ function asAsked({ machine, objective, settings = {} }: Asked, value: PlanForm):
     clearance_m: settings.clearance_m ?? 0,
     avoid: settings.avoid === 'cut' ? 'cut' : 'cheapest',
     line: settings.line ?? null,
+    land: settings.land ?? [],
     order: settings.order ?? 'best',
     headland_time: settings.headland_time ?? 'last',
     start: settings.start ?? null,

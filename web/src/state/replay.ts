@@ -1,5 +1,5 @@
 // A stream of work: a log replayed at any speed, or a live feed.
-import type { Place, WorkFigures } from '../api/types';
+import type { FixQuality, Place, WorkFigures } from '../api/types';
 import { store } from './store';
 
 export const replay = store<{
@@ -22,6 +22,7 @@ export const replay = store<{
   at: Place | null;
   heading_deg: number | null;
   speed_mps: number | null;
+  quality: FixQuality | null;
 }>({
   of: null,
   id: null,
@@ -41,4 +42,5 @@ export const replay = store<{
   at: null,
   heading_deg: null,
   speed_mps: null,
+  quality: null,
 });

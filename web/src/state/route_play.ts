@@ -1,11 +1,9 @@
 // A route driven on the screen: where the machine is at a moment, and what it has taken till then.
-import type { FeatureCollection, Place, Route, WholeCost } from '../api/types';
+import type { FeatureCollection, Place, PlanFull } from '../api/types';
 import { store } from './store';
 
 export const routePlay = store<{ plan: string | null; at_s: number; playing: boolean; speed: number }>({ plan: null, at_s: 0, playing: false, speed: 60 });
 
-/** With the work off an engine takes about so much of the fuel that it takes at work. */
-const IDLE_FUEL = 0.5;
 const HOUR_S = 3600;
 
 export interface SoFar {
@@ -19,12 +17,13 @@ export interface SoFar {
 }
 
 /** What the route has taken after so many seconds. */
-export function soFar(route: Route, cost: WholeCost | undefined, at_s: number): SoFar {
+export function soFar({ summary: { route, whole_cost: cost }, idle_fuel_share }: PlanFull, at_s: number): SoFar {
   let [passed, working] = [0, 0];
   let leg = 0;
   let share = 0;
-  for (; leg < route.legs.length; leg++) {
-    const { time_s, work } = route.legs[leg]!;
+  const legs = route?.legs ?? [];
+  for (; leg < legs.length; leg++) {
+    const { time_s, work } = legs[leg]!;
     const part = Math.min(time_s, at_s - passed);
     passed += part;
     if (work) working += part;
@@ -32,8 +31,8 @@ export function soFar(route: Route, cost: WholeCost | undefined, at_s: number): 
     if (share < 1) break;
   }
   const rates = cost?.rates;
-  const litres = rates ? (rates.fuel_l_per_h * (working + IDLE_FUEL * (passed - working))) / HOUR_S : 0;
-  return { leg: Math.min(leg, route.legs.length - 1), share, litres, euros: rates ? (rates.price_per_hour * passed) / HOUR_S + litres * rates.fuel_price : 0 };
+  const litres = rates ? (rates.fuel_l_per_h * (working + idle_fuel_share * (passed - working))) / HOUR_S : 0;
+  return { leg: Math.min(leg, legs.length - 1), share, litres, euros: rates ? (rates.price_per_hour * passed) / HOUR_S + litres * rates.fuel_price : 0 };
 }
 
 /** The way of each leg; legs without length have none. */

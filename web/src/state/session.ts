@@ -19,7 +19,9 @@ export const session = store<{
   view: View;
   theme: Theme;
   tiles: boolean;
-}>({ info: null, reachable: true, locked: false, view: 'fields', theme: remembered(), tiles: false });
+  /** Language and units are open to be changed. */
+  settings: boolean;
+}>({ info: null, reachable: true, locked: false, view: 'fields', theme: remembered(), tiles: false, settings: false });
 
 export const dark = matchMedia('(prefers-color-scheme: dark)');
 export const isNight = () => session.get().theme === 'night' || (session.get().theme === 'auto' && dark.matches);
@@ -28,7 +30,7 @@ export const isNight = () => session.get().theme === 'night' || (session.get().t
 export function tilesHost(): string {
   const tiles = session.get().info?.tiles;
   try {
-    return tiles ? new URL(tiles).host : '';
+    return tiles ? new URL(tiles, location.origin).host : '';
   } catch {
     return tiles ?? '';
   }

@@ -4,6 +4,7 @@ import { Icon } from '../parts/icon';
 import { notices } from '../state/notices';
 import { session } from '../state/session';
 import { useStore } from '../state/store';
+import { t } from '../words';
 
 export function Notices() {
   const list = useStore(notices, (value) => value.list);
@@ -14,7 +15,7 @@ export function Notices() {
       {list.map((notice) => (
         <div key={notice.number} class={`notice ${notice.kind}`} role={notice.kind === 'error' ? 'alert' : 'status'}>
           <p>{notice.text}</p>
-          <button type="button" class="button quiet square" aria-label="Dismiss this message" onClick={() => dismiss(notice.number)}>
+          <button type="button" class="button quiet square" aria-label={t`Dismiss this message`} onClick={() => dismiss(notice.number)}>
             <Icon name="close" />
           </button>
         </div>

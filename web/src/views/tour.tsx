@@ -3,6 +3,7 @@ import { goToStop } from '../actions/example';
 import { Button } from '../parts/button';
 import { useStore } from '../state/store';
 import { STOPS, tour } from '../state/tour';
+import { t } from '../words';
 
 export function Tour() {
   const stop = useStore(tour, (value) => value.stop);
@@ -10,11 +11,11 @@ export function Tour() {
   if (!at || stop === null) return null;
   const last = stop === STOPS.length - 1;
   return (
-    <section class="open" aria-label="Tour">
-      <p role="status">{`${stop + 1} of ${STOPS.length}. ${at.text}`}</p>
+    <section class="open" aria-label={t`Tour`}>
+      <p role="status">{t`${stop + 1} of ${STOPS.length}. ${at.text}`}</p>
       <div class="row">
-        <Button kind="main" onClick={() => goToStop(last ? null : stop + 1)}>{last ? 'Done' : 'Next'}</Button>
-        {!last && <Button kind="quiet" onClick={() => goToStop(null)}>End the tour</Button>}
+        <Button kind="main" onClick={() => goToStop(last ? null : stop + 1)}>{last ? t`Done` : t`Next`}</Button>
+        {!last && <Button kind="quiet" onClick={() => goToStop(null)}>{t`End the tour`}</Button>}
       </div>
     </section>
   );

@@ -45,6 +45,8 @@ class LineLog {
   /// Whether the log itself has columns for the width and the work of the machine.
   OwnColumns own_columns() const;
   std::size_t lines() const { return lines_; }
+  /// Of the last fix; unknown for tables.
+  FixQuality quality() const { return nmea_ ? nmea_->quality() : FixQuality::kUnknown; }
 
   /// Whether returned fixes may have to be read again in another way, ...
   bool doubtful() const { return doubtful_ || urgent_; }

@@ -81,12 +81,48 @@ unsigned checksum_of(std::string_view body) {
   return out;
 }
 
+/// The sixth field of GGA.
+FixQuality quality_of_gga(std::string_view digit) {
+  if (digit == "1") return FixQuality::kSingle;
+  if (digit == "2" || digit == "3" || digit == "9") return FixQuality::kDifferential;
+  if (digit == "4") return FixQuality::kRtkFixed;
+  if (digit == "5") return FixQuality::kRtkFloat;
+  return digit == "6" || digit == "7" || digit == "8" ? FixQuality::kEstimated : FixQuality::kUnknown;
+}
+
+/// The mode of RMC, from NMEA 2.3 on.
+FixQuality quality_of_rmc(std::string_view letter) {
+  if (letter == "A") return FixQuality::kSingle;
+  if (letter == "D" || letter == "P") return FixQuality::kDifferential;
+  if (letter == "R") return FixQuality::kRtkFixed;
+  if (letter == "F") return FixQuality::kRtkFloat;
+  return letter == "E" || letter == "M" || letter == "S" ? FixQuality::kEstimated : FixQuality::kUnknown;
+}
+
 /// "GPGGA" is "GGA"; proprietary sentences have no such kind.
 std::string_view kind_of(std::string_view address) {
   return address.size() == 5 && address[0] != 'P' ? address.substr(2) : std::string_view();
 }
 
 }  // namespace
+
+const char* name(FixQuality quality) {
+  switch (quality) {
+    case FixQuality::kSingle:
+      return "single";
+    case FixQuality::kDifferential:
+      return "differential";
+    case FixQuality::kRtkFloat:
+      return "rtk float";
+    case FixQuality::kRtkFixed:
+      return "rtk fixed";
+    case FixQuality::kEstimated:
+      return "estimated";
+    case FixQuality::kUnknown:
+      break;
+  }
+  return "";
+}
 
 double NmeaLog::elapsed_s(const Epoch& epoch) {
   if (!epoch.of_day_s) return std::numeric_limits<double>::quiet_NaN();
@@ -116,6 +152,7 @@ std::optional<Fix> NmeaLog::finish() {
     skipped_.add(epoch.record, std::move(fault));
     return std::nullopt;
   }
+  quality_ = epoch.quality;
   Fix fix = epoch.state;
   fix.record = epoch.record;
   fix.time_s = time_s;
@@ -155,6 +192,7 @@ void NmeaLog::read_gga(const Fields& fields) {
     epoch_.record = line_;
     return;
   }
+  epoch_.quality = quality_of_gga(fields.text(6));
   place(fields, 2);
 }
 
@@ -169,6 +207,7 @@ void NmeaLog::read_rmc(const Fields& fields) {
     epoch_.record = line_;
     return;
   }
+  if (epoch_.quality == FixQuality::kUnknown) epoch_.quality = quality_of_rmc(fields.text(12));
   place(fields, 3);
   if (const double knots = fields.number(7); !std::isnan(knots)) epoch_.speed_mps = knots * kKnot_mps;
   if (const double course = fields.number(8); !std::isnan(course)) epoch_.course_deg = course;

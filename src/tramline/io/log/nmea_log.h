@@ -15,6 +15,11 @@
 
 namespace tramline::io {
 
+/// How a receiver came by a position.
+enum class FixQuality : std::uint8_t { kUnknown, kSingle, kDifferential, kRtkFloat, kRtkFixed, kEstimated };
+/// "rtk fixed"; "" where it is not known.
+const char* name(FixQuality quality);
+
 /// Makes fixes of sentences as they come. Read are GGA and RMC (position), RMC and VTG (course, speed), HDT
 /// and THS (true heading), RMC and ZDA (date), of any talker; others are ignored. Sentences with the same
 /// time are one epoch, and those without a time belong to the epoch they follow (a second GGA or RMC without
@@ -36,6 +41,8 @@ class NmeaLog {
   /// once a date was read.
   std::optional<double> midnight_s() const { return midnight_s_; }
   bool has_times() const { return has_times_; }
+  /// Of the last fix: as its GGA says or, without one, the mode of its RMC.
+  FixQuality quality() const { return quality_; }
   const SkippedRecords& skipped() const { return skipped_; }
   const std::vector<Boom>& booms() const { return booms_.booms(); }
   const StateLines& states() const { return states_; }
@@ -55,6 +62,7 @@ class NmeaLog {
     double course_deg = std::numeric_limits<double>::quiet_NaN();
     double heading_deg = std::numeric_limits<double>::quiet_NaN();
     std::optional<long long> date_days;
+    FixQuality quality = FixQuality::kUnknown;
     Fix state;  ///< width and work given by lines at the time of the position
   };
   class Fields;
@@ -77,6 +85,7 @@ class NmeaLog {
   bool has_times_ = false;
   std::optional<double> last_of_day_s_;
   double days_s_ = 0;
+  FixQuality quality_ = FixQuality::kUnknown;
   std::optional<double> midnight_s_;
   SkippedRecords skipped_;
   StateLines states_;

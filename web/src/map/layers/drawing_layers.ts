@@ -4,6 +4,14 @@ import type { Colours } from '../palette';
 
 export const drawingLayers = (c: Colours): LayerSpecification[] => [
   {
+    id: 'land', type: 'fill', source: 'land', filter: ['==', ['geometry-type'], 'Polygon'],
+    paint: { 'fill-color': ['match', ['get', 'kind'], 'skip', c.NoRoom, 'done', c.Covered, c.Reference], 'fill-opacity': ['match', ['get', 'kind'], 'subfield', 0.06, 0.3] },
+  },
+  {
+    id: 'land-edge', type: 'line', source: 'land', layout: { 'line-join': 'round' },
+    paint: { 'line-color': ['match', ['get', 'kind'], 'skip', c.NoRoom, c.Reference], 'line-width': 2.5, 'line-dasharray': [2, 1.5] },
+  },
+  {
     id: 'edges', type: 'line', source: 'edges', filter: ['==', ['geometry-type'], 'LineString'], layout: { 'line-cap': 'round', 'line-join': 'round' },
     paint: {
       'line-color': c.Reference, 'line-width': ['case', ['get', 'chosen'], 5, 3], 'line-opacity': ['case', ['get', 'chosen'], 1, 0.45],

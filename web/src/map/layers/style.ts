@@ -1,5 +1,6 @@
 // The map without anything on it, and which source and layer comes above which.
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
+import type { ServerInfo } from '../../api/types';
 import { NIGHT, type Colours } from '../palette';
 import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
@@ -18,17 +19,24 @@ export const SOURCES = [
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges', 'farm', 'choosing', 'chosen', 'route-driven', 'route-machine',
+  'work:line', 'work:machine', 'drawing', 'edges', 'land', 'farm', 'choosing', 'chosen', 'route-driven', 'route-machine',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 
-function sources(tiles: string | null): Record<string, SourceSpecification> {
+/** Tiles to show under everything; `of` says where those of the server's own file lie. */
+export type Background = Pick<ServerInfo, 'tiles' | 'tiles_of'> | null;
+
+function sources(background: Background): Record<string, SourceSpecification> {
   const all: Record<string, SourceSpecification> = {};
   for (const name of SOURCES) all[name] = { type: 'geojson', data: empty, tolerance: 0.2, maxzoom: 19 };
   for (const name of TILE_SOURCES) {
     all[name] = { type: 'geojson', data: empty, tolerance: 0, buffer: 8, maxzoom: 19 };
   }
-  if (tiles) all['tiles'] = { type: 'raster', tiles: [tiles], tileSize: 256, maxzoom: 19 };
+  if (background?.tiles) {
+    const { tiles, tiles_of: of } = background;
+    const own = of ? { bounds: of.bbox, minzoom: of.first_zoom, maxzoom: of.last_zoom } : { maxzoom: 19 };
+    all['tiles'] = { type: 'raster', tiles: [tiles.startsWith('/') ? location.origin + tiles : tiles], tileSize: 256, ...own };
+  }
   return all;
 }
 
@@ -51,9 +59,9 @@ function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[
   ];
 }
 
-export const mapStyle = (c: Colours, tiles: string | null): StyleSpecification => ({
+export const mapStyle = (c: Colours, background: Background): StyleSpecification => ({
   version: 8,
-  sources: sources(tiles),
-  layers: layers(c, tiles !== null, c === NIGHT),
+  sources: sources(background),
+  layers: layers(c, background?.tiles != null, c === NIGHT),
   transition: { duration: 0, delay: 0 },
 });

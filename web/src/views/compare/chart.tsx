@@ -1,9 +1,11 @@
 // Overlap to the right, uncovered land upwards, turns as colour: each dot is a plan.
 import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
-import { count, money, plural, squareMetres } from '../../format';
+import { count, money, plural, squareMetres, typed } from '../../format';
+import { unitOf } from '../../measures';
 import { axis } from './axis';
 import { marksOf } from './marks';
+import { t } from '../../words';
 
 const W = 380;
 const H = 300;
@@ -21,12 +23,13 @@ interface Props {
 }
 
 const REACH_PX = 32;
-const tickText = (m2: number) => (m2 === 0 || m2 >= 1 ? count(m2) : String(m2));
+const tickText = (size: number) => (size === 0 || size >= 1 ? count(size) : typed(size));
 
 export function Chart({ points, open, hovered, hover, choose }: Props) {
   const name = useId();
-  const across = axis(points.map((point) => point.overlap_m2));
-  const up = axis(points.map((point) => point.uncovered_m2));
+  const { name: unit, size } = unitOf('m²');
+  const across = axis(points.map((point) => point.overlap_m2 / size));
+  const up = axis(points.map((point) => point.uncovered_m2 / size));
   const turns = points.map((point) => point.turns + point.stops);
   const [fewest, most] = [Math.min(...turns), Math.max(...turns)];
   const x = (value: number) => LEFT + across.at(value) * (W - LEFT - RIGHT);
@@ -40,7 +43,7 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
   const nearest = (event: MouseEvent & { currentTarget: SVGSVGElement }): number | null => {
     const box = event.currentTarget.getBoundingClientRect();
     const [px, py] = [((event.clientX - box.left) * W) / box.width, ((event.clientY - box.top) * H) / box.height];
-    const away = (point: FrontPoint) => Math.hypot(x(point.overlap_m2) - px, y(point.uncovered_m2) - py);
+    const away = (point: FrontPoint) => Math.hypot(x(point.overlap_m2 / size) - px, y(point.uncovered_m2 / size) - py);
     const best = points.reduce((a, b) => (away(b) < away(a) ? b : a));
     return away(best) <= (REACH_PX * W) / box.width ? best.point : null;
   };
@@ -59,7 +62,7 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
     <figure class="chart">
       <svg
         viewBox={`0 0 ${W} ${H}`} role="listbox" tabIndex={0} aria-activedescendant={hovered === null ? undefined : `${name}-${hovered}`}
-        aria-label="Trade-off: overlap to the right, uncovered land upwards; a larger dot means more turns and stops. Arrow keys go from plan to plan, Enter shows one on the map."
+        aria-label={t`Trade-off: overlap to the right, uncovered land upwards; a larger dot means more turns and stops. Arrow keys go from plan to plan, Enter shows one on the map.`}
         onMouseMove={(event) => hover(nearest(event))} onMouseLeave={() => hover(null)} onKeyDown={key}
         onClick={(event) => {
           const point = nearest(event);
@@ -78,20 +81,20 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
             <text x={LEFT - 7} y={y(tick) + 4} text-anchor="end">{tickText(tick)}</text>
           </g>
         ))}
-        <text x={W - RIGHT} y={H - 8} text-anchor="end">Overlap, m² →</text>
-        <text x={LEFT + 6} y={TOP + 10}>↑ Uncovered, m²</text>
+        <text x={W - RIGHT} y={H - 8} text-anchor="end">{t`Overlap, ${unit} →`}</text>
+        <text x={LEFT + 6} y={TOP + 10}>{t`↑ Uncovered, ${unit}`}</text>
         {drawn.map((point) => (
           <g
             key={point.point} id={`${name}-${point.point}`} role="option" aria-selected={point.point === open}
             class={`dot ${point.point === open ? 'open' : ''} ${point.point === hovered ? 'hovered' : ''} ${point.marks.includes('given_prices') ? 'cheapest' : ''}`}
-            aria-label={`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${plural(point.turns, 'turn')}, ${plural(point.stops, 'stop')}, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
+            aria-label={t`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${plural(point.turns, 'turn')}, ${plural(point.stops, 'stop')}, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
           >
-            <circle class="seen" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point)} />
-            {point.marks.includes('knee') && <circle class="knee" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point) + 3.5} />}
+            <circle class="seen" cx={x(point.overlap_m2 / size)} cy={y(point.uncovered_m2 / size)} r={radius(point)} />
+            {point.marks.includes('knee') && <circle class="knee" cx={x(point.overlap_m2 / size)} cy={y(point.uncovered_m2 / size)} r={radius(point) + 3.5} />}
           </g>
         ))}
       </svg>
-      <figcaption class="hint">A larger dot means more turns and stops. The filled dot is the cheapest at your prices, the ringed one is balanced.</figcaption>
+      <figcaption class="hint">{t`A larger dot means more turns and stops. The filled dot is the cheapest at your prices, the ringed one is balanced.`}</figcaption>
     </figure>
   );
 }

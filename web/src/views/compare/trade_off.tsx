@@ -12,6 +12,7 @@ import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { Chart } from './chart';
 import { marksOf } from './marks';
+import { t } from '../../words';
 
 export function TradeOff({ field }: { field: string }) {
   const front = useStore(compare, (value) => (value.field === field ? value.front : null));
@@ -21,15 +22,15 @@ export function TradeOff({ field }: { field: string }) {
   const { instead } = comparison(field);
   return (
     <section aria-labelledby="front-title">
-      <h2 id="front-title">Plans worth a choice</h2>
-      {!front && <p class="hint">Fewer turns mean more overlap or more uncovered land. This finds the plans that no other plan beats in every number, for the machine and the settings under Plan.</p>}
+      <h2 id="front-title">{t`Plans worth a choice`}</h2>
+      {!front && <p class="hint">{t`Fewer turns mean more overlap or more uncovered land. This finds the plans that no other plan beats in every number, for the machine and the settings under Plan.`}</p>}
       {instead.length > 0 && !job && (
-        <p class="hint" role="note">{`A comparison is of tracks in all directions. ${instead.join(' ')}`}</p>
+        <p class="hint" role="note">{t`A comparison is of tracks in all directions. ${instead.join(' ')}`}</p>
       )}
       {job ? (
-        <Progress job={job} title="Comparing" cancel={() => void attempt(cancelFront)} />
+        <Progress job={job} title={t`Comparing`} cancel={() => void attempt(cancelFront)} />
       ) : (
-        <Button kind={front ? 'plain' : 'main'} onClick={() => void attempt(makeFront)}>{front ? 'Find them again' : 'Find the plans'}</Button>
+        <Button kind={front ? 'plain' : 'main'} onClick={() => void attempt(makeFront)}>{front ? t`Find them again` : t`Find the plans`}</Button>
       )}
       {front && <Points points={front.front} />}
     </section>
@@ -48,21 +49,21 @@ function Points({ points }: { points: FrontPoint[] }) {
     <>
       <Chart points={points} open={opened?.point ?? null} hovered={hovered} hover={setHovered} choose={choose} />
       <p class="about" role="status">
-        {laying !== null ? `Making plan ${laying} …` : about ? (
+        {laying !== null ? t`Making plan ${laying} …` : about ? (
           <>
-            <strong>Plan {about.point}</strong>
-            {`: ${squareMetres(about.overlap_m2)} overlap, ${squareMetres(about.uncovered_m2)} uncovered, ${plural(about.turns, 'turn')}, ${plural(about.stops, 'stop')}, ${money(about.cost)}${about.marks.length > 0 ? ` – ${marksOf(about)}` : ''}.`}
+            <strong>{`${t`Plan`} ${about.point}`}</strong>
+            {t`: ${squareMetres(about.overlap_m2)} overlap, ${squareMetres(about.uncovered_m2)} uncovered, ${plural(about.turns, 'turn')}, ${plural(about.stops, 'stop')}, ${money(about.cost)}${about.marks.length > 0 ? ` – ${marksOf(about)}` : ''}.`}
           </>
-        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
+        ) : t`${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
       </p>
-      <Expander title="The same as a table">
-        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice, as a table">
+      <Expander title={t`The same as a table`}>
+        <div class="wide-table" tabIndex={0} role="region" aria-label={t`Plans worth a choice, as a table`}>
           <table>
-            <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
+            <thead><tr><th>{t`Plan`}</th><th>{t`Overlap`}</th><th>{t`Uncovered`}</th><th>{t`Turns`}</th><th>{t`Stops`}</th><th>{t`Cost`}</th></tr></thead>
             <tbody>
               {points.map((point) => (
                 <tr key={point.point} aria-current={point.point === opened?.point}>
-                  <td><Button aria-label={`Show plan ${point.point}`} onClick={() => choose(point.point)}>{point.point}</Button></td>
+                  <td><Button aria-label={t`Show plan ${point.point}`} onClick={() => choose(point.point)}>{point.point}</Button></td>
                   <td>{squareMetres(point.overlap_m2)}</td>
                   <td>{squareMetres(point.uncovered_m2)}</td>
                   <td>{count(point.turns)}</td>

@@ -6,6 +6,7 @@ import { Choice } from '../../parts/choice';
 import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
 import type { Purpose } from '../../state/drawing';
+import { t } from '../../words';
 
 type Form = 'obstacle-point' | 'obstacle-area' | 'obstacle-line';
 
@@ -19,23 +20,23 @@ export function AddObstacle() {
       changeField({ add: [{ kind, geometry, ...(form === 'obstacle-area' ? {} : { size_m }) }] }),
     );
   return (
-    <Expander title="Add an obstacle">
-      <Choice label="Shape" value={form} change={setForm}
+    <Expander title={t`Add an obstacle`}>
+      <Choice label={t`Shape`} value={form} change={setForm}
         options={[
-          { value: 'obstacle-point', label: 'Point' },
-          { value: 'obstacle-area', label: 'Area' },
-          { value: 'obstacle-line', label: 'Line' },
+          { value: 'obstacle-point', label: t`Point` },
+          { value: 'obstacle-area', label: t`Area` },
+          { value: 'obstacle-line', label: t`Line` },
         ]} />
-      <Choice label="Can the machine cross it?" value={kind} change={setKind}
+      <Choice label={t`Can the machine cross it?`} value={kind} change={setKind}
         options={[
-          { value: 'obstacle', label: 'No' },
-          { value: 'passable', label: 'Yes, without working' },
+          { value: 'obstacle', label: t`No` },
+          { value: 'passable', label: t`Yes, without working` },
         ]} />
       {form !== 'obstacle-area' && (
-        <NumberField label={form === 'obstacle-point' ? 'How wide it is' : 'How wide the line is'} unit="m" value={size_m} least={0.1} most={200}
+        <NumberField label={form === 'obstacle-point' ? t`How wide it is` : t`How wide the line is`} unit="m" value={size_m} least={0.1} most={200}
           change={(value) => value !== null && setSize(value)} />
       )}
-      <Button onClick={start}>Place it on the map</Button>
+      <Button onClick={start}>{t`Place it on the map`}</Button>
     </Expander>
   );
 }

@@ -12,6 +12,7 @@ import { Windowed } from '../../parts/windowed';
 import { sorted, SORTINGS, wordsOf, type Sorting } from '../../state/chooser';
 import { calledField, fields, keyOf } from '../../state/fields';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const SIZE = 56;
 
@@ -46,7 +47,7 @@ function Preview({ feature }: { feature: UploadedFeature }) {
 const about = (feature: UploadedFeature) =>
   feature.refused === null
     ? [hectares(feature.area_m2), feature.crop, feature.obstacles > 0 && plural(feature.obstacles, 'obstacle')].filter(Boolean).join(' · ')
-    : `Cannot be used: ${sentence(feature.refused)}`;
+    : t`Cannot be used: ${sentence(feature.refused)}`;
 
 const ROW_PX = 84;
 
@@ -88,7 +89,7 @@ export function FeatureChooser({ upload }: { upload: Upload }) {
     return (
       <li key={key} class={key === pointed ? 'row tight pointed' : 'row tight'} style={place}>
         <label class="tick">
-          <input type="checkbox" aria-label={`Tick ${calledField(feature)}`} checked={ticked.has(key)} disabled={feature.refused !== null || busy !== null}
+          <input type="checkbox" aria-label={t`Tick ${calledField(feature)}`} checked={ticked.has(key)} disabled={feature.refused !== null || busy !== null}
             onChange={(event) => tick([feature], event.currentTarget.checked)} />
         </label>
         <button type="button" class="card grow" disabled={feature.refused !== null || busy !== null} onMouseEnter={() => fields.set({ pointed: key })}
@@ -104,26 +105,26 @@ export function FeatureChooser({ upload }: { upload: Upload }) {
   };
   return (
     <section aria-labelledby="choose-title">
-      <h2 id="choose-title">Which field of {upload.name}?</h2>
-      <p class="hint">Click a field to open it. To store several at once, tick them here or click them on the map.</p>
+      <h2 id="choose-title">{t`Which field of ${upload.name}?`}</h2>
+      <p class="hint">{t`Click a field to open it. To store several at once, tick them here or click them on the map.`}</p>
       {list.length > 1 && (
         <>
-          <Search label="Search by name, area or any other attribute" typed={typed} found={found.length} all={list.length} list="features" change={setTyped} />
-          <Select label="In the order of" value={sorting} options={SORTINGS} change={setSorting} />
+          <Search label={t`Search by name, area or any other attribute`} typed={typed} found={found.length} all={list.length} list="features" change={setTyped} />
+          <Select label={t`In the order of`} value={sorting} options={SORTINGS} change={setSorting} />
         </>
       )}
       {usable.length > 1 && (
         <label class="tick">
           <input type="checkbox" checked={allTicked} disabled={busy !== null} onChange={() => tick(usable, !allTicked)} />
-          <span>{typed.trim() === '' ? `All ${count(usable.length)} fields` : `All ${count(usable.length)} that were found`}</span>
+          <span>{typed.trim() === '' ? t`All ${count(usable.length)} fields` : t`All ${count(usable.length)} that were found`}</span>
         </label>
       )}
-      <Windowed id="features" label="Fields of the file" count={found.length} row_px={ROW_PX} row={row} wanted={reached ? found.findIndex((feature) => keyOf(feature) === reached) : null} />
+      <Windowed id="features" label={t`Fields of the file`} count={found.length} row_px={ROW_PX} row={row} wanted={reached ? found.findIndex((feature) => keyOf(feature) === reached) : null} />
       <div class="sticky foot">
         {busy && <p class="hint" role="status">{busy}</p>}
         <div class="row">
-          {chosen.length > 0 && !taking && <Button kind="main" disabled={busy !== null} onClick={() => void attempt(() => takeFeatures(upload, chosen))}>Store {plural(chosen.length, 'field')}</Button>}
-          {taking ? <Button onClick={stopTaking}>Stop</Button> : <Button disabled={busy !== null} onClick={() => fields.set({ choosing: null })}>Back</Button>}
+          {chosen.length > 0 && !taking && <Button kind="main" disabled={busy !== null} onClick={() => void attempt(() => takeFeatures(upload, chosen))}>{t`Store ${plural(chosen.length, 'field')}`}</Button>}
+          {taking ? <Button onClick={stopTaking}>{t`Stop`}</Button> : <Button disabled={busy !== null} onClick={() => fields.set({ choosing: null })}>{t`Back`}</Button>}
         </div>
       </div>
     </section>

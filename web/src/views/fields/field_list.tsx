@@ -14,6 +14,7 @@ import { Windowed } from '../../parts/windowed';
 import { farm } from '../../state/farm';
 import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 export function FieldList() {
   const list = useStore(fields, (value) => value.list);
@@ -24,19 +25,19 @@ export function FieldList() {
   const found = long ? matching(list, typed, wordsOf) : list;
   return (
     <section aria-labelledby="fields-title">
-      <h2 id="fields-title">Your fields</h2>
+      <h2 id="fields-title">{t`Your fields`}</h2>
       {list.length === 0 && (
         <>
-          <p class="hint">None yet. Choose a file above, or draw a field on the map. To look round first:</p>
+          <p class="hint">{t`None yet. Choose a file above, or draw a field on the map. To look round first:`}</p>
           <div class="row">
-            <Button onClick={() => void attempt(openExampleFarm)}>Open the example farm</Button>
-            <Button onClick={() => goToStop(0)}>Take the short tour</Button>
+            <Button onClick={() => void attempt(openExampleFarm)}>{t`Open the example farm`}</Button>
+            <Button onClick={() => goToStop(0)}>{t`Take the short tour`}</Button>
           </div>
         </>
       )}
-      {long && <Search label="Search by name, crop, tag or area" typed={typed} found={found.length} all={list.length} list="stored-fields" change={setTyped} />}
+      {long && <Search label={t`Search by name, crop, tag or area`} typed={typed} found={found.length} all={list.length} list="stored-fields" change={setTyped} />}
       {list.length > 1 && <Several list={found} all={list} />}
-      <Windowed id="stored-fields" label="Stored fields" count={found.length} row_px={ROW_PX} row={(i, place) => <Row key={found[i]!.id} field={found[i]!} several={list.length > 1} open={found[i]!.id === open} place={place} />} />
+      <Windowed id="stored-fields" label={t`Stored fields`} count={found.length} row_px={ROW_PX} row={(i, place) => <Row key={found[i]!.id} field={found[i]!} several={list.length > 1} open={found[i]!.id === open} place={place} />} />
     </section>
   );
 }
@@ -46,7 +47,7 @@ const wordsOf = (field: FieldItem) => [field.name, field.crop, ...field.tags, he
 
 /** What is known of the last plan: hours and euros where it is of the whole job. */
 const planned = ({ last_plan: plan }: FieldItem) =>
-  !plan ? 'not planned' : plan.hours === null ? `tracks planned, ${width(plan.width_m)} wide` : `${hours(plan.hours)}, ${money(plan.euros)}, ${width(plan.width_m)} wide`;
+  !plan ? t`not planned` : plan.hours === null ? t`tracks planned, ${width(plan.width_m)} wide` : t`${hours(plan.hours)}, ${money(plan.euros)}, ${width(plan.width_m)} wide`;
 
 function tick(ids: string[], on: boolean): void {
   const next = new Set(farm.get().ticked);
@@ -60,7 +61,7 @@ function Row({ field, several, open, place }: { field: FieldItem; several: boole
     <li class="row tight" style={place}>
       {several && (
         <label class="tick">
-          <input type="checkbox" aria-label={`Tick ${field.name}`} checked={ticked} onChange={(event) => tick([field.id], event.currentTarget.checked)} />
+          <input type="checkbox" aria-label={t`Tick ${field.name}`} checked={ticked} onChange={(event) => tick([field.id], event.currentTarget.checked)} />
         </label>
       )}
       <button type="button" class="card grow" aria-current={open} onClick={() => void attempt(() => openField(field.id))}>
@@ -70,7 +71,7 @@ function Row({ field, several, open, place }: { field: FieldItem; several: boole
           <span class="sub">{planned(field)}</span>
         </span>
       </button>
-      <ConfirmButton label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></ConfirmButton>
+      <ConfirmButton label={t`Delete ${field.name}`} ask={t`Delete it`} act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></ConfirmButton>
     </li>
   );
 }
@@ -85,20 +86,20 @@ function Several({ list, all }: { list: FieldItem[]; all: FieldItem[] }) {
   return (
     <>
       <p class="hint">
-        {`${hectares(all.reduce((total, { area_m2 }) => total + area_m2, 0))} in all`}
-        {whole.length > 0 && `; ${plural(whole.length, 'field')} planned as a whole: ${hours(sum(({ last_plan }) => last_plan!.hours!))}, ${money(sum(({ last_plan }) => last_plan!.euros!))}`}.
+        {t`${hectares(all.reduce((total, { area_m2 }) => total + area_m2, 0))} in all`}
+        {whole.length > 0 && t`; ${plural(whole.length, 'field')} planned as a whole: ${hours(sum(({ last_plan }) => last_plan!.hours!))}, ${money(sum(({ last_plan }) => last_plan!.euros!))}`}.
       </p>
       <label class="tick">
         <input type="checkbox" checked={list.length > 0 && list.every(({ id }) => ticked.has(id))} onChange={(event) => tick(list.map(({ id }) => id), event.currentTarget.checked)} />
-        <span>{`All ${count(list.length)} ${list.length === all.length ? 'fields' : 'that were found'}`}</span>
+        <span>{list.length === all.length ? t`All ${count(list.length)} fields` : t`All ${count(list.length)} that were found`}</span>
       </label>
       {planning ? (
         <div class="progress" role="status">
-          <div class="between"><span>Planning the fields</span><span class="number">{`${planning.done + planning.failed.length} of ${planning.of}`}</span></div>
-          <progress aria-label="Planning the fields" value={planning.done + planning.failed.length} max={planning.of} />
-          <Button onClick={() => void attempt(stopPlanning)}>Stop</Button>
+          <div class="between"><span>{t`Planning the fields`}</span><span class="number">{t`${planning.done + planning.failed.length} of ${planning.of}`}</span></div>
+          <progress aria-label={t`Planning the fields`} value={planning.done + planning.failed.length} max={planning.of} />
+          <Button onClick={() => void attempt(stopPlanning)}>{t`Stop`}</Button>
         </div>
-      ) : chosen.length > 0 && <Button kind="main" onClick={() => void attempt(() => planFields(chosen))}>{`Plan ${plural(chosen.length, 'field')}`}</Button>}
+      ) : chosen.length > 0 && <Button kind="main" onClick={() => void attempt(() => planFields(chosen))}>{t`Plan ${plural(chosen.length, 'field')}`}</Button>}
     </>
   );
 }

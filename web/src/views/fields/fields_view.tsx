@@ -8,6 +8,7 @@ import { useStore } from '../../state/store';
 import { FeatureChooser } from './feature_chooser';
 import { FieldList } from './field_list';
 import { OpenField } from './open_field';
+import { t } from '../../words';
 
 export function FieldsView() {
   const busy = useStore(fields, (value) => value.busy);
@@ -16,15 +17,15 @@ export function FieldsView() {
   if (choosing) return <FeatureChooser upload={choosing} />;
   return (
     <>
-      <section aria-label="Bring a field">
+      <section aria-label={t`Bring a field`}>
         <DropZone
-          label="Choose a file with a field"
-          hint="or drop it here: GeoJSON, GeoPackage, KML, ISOXML, Shapefile (its .shp, .shx, .dbf and .prj together, or zipped)"
+          label={t`Choose a file with a field`}
+          hint={t`or drop it here: GeoJSON, GeoPackage, KML, ISOXML, Shapefile (its .shp, .shx, .dbf and .prj together, or zipped)`}
           busy={busy}
           take={(files) => void attempt(() => takeFieldFile(files))}
         />
         <div class="row">
-          <Button onClick={() => drawFor('field', (geometry) => storeDrawnField('Drawn field', geometry))}>Draw a field</Button>
+          <Button onClick={() => drawFor('field', (geometry) => storeDrawnField(t`Drawn field`, geometry))}>{t`Draw a field`}</Button>
         </div>
       </section>
       {open && <OpenField field={open} />}

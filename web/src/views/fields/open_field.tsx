@@ -2,32 +2,33 @@ import { drawFor } from '../../actions/drawing';
 import { changeField } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
-import type { FieldFull, Place } from '../../api/types';
+import type { FieldFull, Geometry, Place } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
 import { AddObstacle } from './add_obstacle';
+import { t } from '../../words';
 
 export function OpenField({ field }: { field: FieldFull }) {
   return (
-    <section class="open" aria-label={`Open field: ${field.name}`}>
-      <TitleField key={field.id} label="Name of the field" value={field.name} save={(name) => void attempt(() => changeField({ name }))} />
+    <section class="open" aria-label={t`Open field: ${field.name}`}>
+      <TitleField key={field.id} label={t`Name of the field`} value={field.name} save={(name) => void attempt(() => changeField({ name }))} />
       <p>
         <strong>{hectares(field.area_m2)}</strong>
-        {` · ${field.obstacles === 0 ? 'no obstacles' : plural(field.obstacles, 'obstacle')}`}
+        {` · ${field.obstacles === 0 ? t`no obstacles` : plural(field.obstacles, 'obstacle')}`}
         {field.passable > 0 && ` · ${plural(field.passable, 'passable strip')}`}
-        {!field.geodetic && ' · plain metres'}
+        {!field.geodetic && t` · plain metres`}
       </p>
       <div class="two">
-        <TitleField key={`${field.id} crop`} label="Crop" seen value={field.crop} save={(crop) => void attempt(() => changeField({ crop }))} />
-        <TitleField key={`${field.id} tags`} label="Tags" seen value={field.tags.join(', ')} save={(text) => void attempt(() => changeField({ tags: text.split(/[,;#]/).map((tag) => tag.trim()).filter((tag) => tag !== '') }))} />
+        <TitleField key={`${field.id} crop`} label={t`Crop`} seen value={field.crop} save={(crop) => void attempt(() => changeField({ crop }))} />
+        <TitleField key={`${field.id} tags`} label={t`Tags`} seen value={field.tags.join(', ')} save={(text) => void attempt(() => changeField({ tags: text.split(/[,;#]/).map((tag) => tag.trim()).filter((tag) => tag !== '') }))} />
       </div>
       <Findings field={field} />
       <Obstacles field={field} />
       <AddObstacle />
-      <Button onClick={() => drawFor('boundary', (boundary) => changeField({ boundary }), ringOf(field))}>Change the boundary</Button>
-      <Button kind="main" onClick={() => show('plan')}>Plan this field</Button>
+      <Button onClick={() => drawFor('boundary', (boundary) => changeField({ boundary }), { places: ringOf(field) })}>{t`Change the boundary`}</Button>
+      <Button kind="main" onClick={() => show('plan')}>{t`Plan this field`}</Button>
     </section>
   );
 }
@@ -38,26 +39,30 @@ function ringOf(field: FieldFull): Place[] {
   return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
 }
 
-/** The corners of an obstacle as it lies on the field. */
-function obstacleRing(field: FieldFull, number: number): Place[] {
+function obstacleRings(field: FieldFull, number: number): Place[][] {
   const shape = field.shapes.features.find(({ properties }) => properties['number'] === number && properties['kind'] !== 'field')?.geometry;
-  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][])[0]!.slice(0, -1) : [];
+  return shape?.type === 'Polygon' ? (shape.coordinates as Place[][]) : [];
 }
+/** The corners of an obstacle as it lies on the field. */
+const obstacleRing = (field: FieldFull, number: number): Place[] => obstacleRings(field, number)[0]?.slice(0, -1) ?? [];
+/** An outline that was drawn anew keeps the land within it that is none of the obstacle. */
+const withHoles = (outline: Geometry, field: FieldFull, number: number): Geometry =>
+  ({ ...outline, coordinates: [...(outline.coordinates as Place[][]), ...obstacleRings(field, number).slice(1)] });
 
 function Findings({ field }: { field: FieldFull }) {
   const { repairs, skipped, warnings } = field;
   const number = repairs.length + skipped.length + warnings.length;
-  if (number === 0) return <p class="fine">The boundary is sound: nothing had to be mended.</p>;
+  if (number === 0) return <p class="fine">{t`The boundary is sound: nothing had to be mended.`}</p>;
   return (
-    <Expander title={`${plural(number, 'remark')} on the file: what was mended or skipped`} open={number <= 4}>
+    <Expander title={t`${plural(number, 'remark')} on the file: what was mended or skipped`} open={number <= 4}>
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
-            {sentence(`mended: ${repair.what}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
+            {sentence(t`mended: ${repair.what}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
           </li>
         ))}
         {skipped.map((skip, i) => (
-          <li key={i}>{sentence(`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
+          <li key={i}>{sentence(t`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
         ))}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
@@ -84,17 +89,17 @@ function Obstacles({ field }: { field: FieldFull }) {
   const list = obstaclesOf(field);
   if (list.length === 0) return null;
   return (
-    <Expander title={`Obstacles, as numbered on the map (${list.length})`}>
+    <Expander title={t`Obstacles, as numbered on the map (${list.length})`}>
       <ul class="plain">
         {list.map(({ number, kind, area_m2 }) => (
           <li key={number} class="between">
             <span>
-              {number} · {kind === 'passable' ? 'passable' : 'obstacle'}
+              {number} · {kind === 'passable' ? t`passable` : t`obstacle`}
               {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
             </span>
-            <Button kind="quiet" aria-label={`Change obstacle ${number}`}
-              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry }] }), obstacleRing(field, number))}>Change</Button>
-            <Button kind="quiet" aria-label={`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>Remove</Button>
+            <Button kind="quiet" aria-label={t`Change obstacle ${number}`}
+              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places: obstacleRing(field, number) })}>{t`Change`}</Button>
+            <Button kind="quiet" aria-label={t`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>{t`Remove`}</Button>
           </li>
         ))}
       </ul>

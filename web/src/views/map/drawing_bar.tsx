@@ -4,21 +4,29 @@ import { add, finish, redo, removeCorner, stop, undo } from '../../actions/drawi
 import { complain } from '../../actions/notices';
 import type { Place } from '../../api/types';
 import { hectares, metres, plural, squareMetres } from '../../format';
+import { unitOf } from '../../measures';
 import { engine } from '../../map/engine_loader';
-import { distance, moved, ringArea } from '../../map/metres';
+import { distance, moved, ringArea } from '../../metres';
 import { Button } from '../../parts/button';
-import { closed, drawing, least, single, type Purpose } from '../../state/drawing';
+import { closed, drawing, fixedEnds, least, single, type Purpose } from '../../state/drawing';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const WORDS: Record<Purpose, { title: string; done: string }> = {
-  field: { title: 'Click or tap the corners of the field, one after the other; the first once more closes it.', done: 'Store the field' },
-  boundary: { title: 'Drag corners, drag the small dots between them for new ones, or click further corners.', done: 'Keep this boundary' },
-  'obstacle-point': { title: 'Click or tap the middle of the obstacle.', done: 'Add the obstacle' },
-  'obstacle-line': { title: 'Click or tap the points of the line.', done: 'Add the obstacle' },
-  'obstacle-area': { title: 'Click or tap the corners of the obstacle.', done: 'Add the obstacle' },
-  guide: { title: 'Click or tap the points of the line that the tracks are to follow.', done: 'Follow this line' },
-  gate: { title: 'Click or tap the gate of the field.', done: 'Take this place' },
-  edge: { title: 'Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.', done: '' },
+  field: { title: t`Click or tap the corners of the field, one after the other; the first once more closes it.`, done: t`Store the field` },
+  boundary: { title: t`Drag corners, drag the small dots between them for new ones, or click further corners.`, done: t`Keep this boundary` },
+  'obstacle-point': { title: t`Click or tap the middle of the obstacle.`, done: t`Add the obstacle` },
+  'obstacle-line': { title: t`Click or tap the points of the line.`, done: t`Add the obstacle` },
+  'obstacle-area': { title: t`Click or tap the corners of the obstacle.`, done: t`Add the obstacle` },
+  guide: { title: t`Click or tap the points of the line that the tracks are to follow.`, done: t`Follow this line` },
+  gate: { title: t`Click or tap the gate of the field.`, done: t`Take this place` },
+  direction: { title: t`Drag an end of the line: tracks turn with it, and the first swath begins at it.`, done: t`Keep this direction` },
+  skip: { title: t`Click or tap the corners of the area that no swath may enter.`, done: t`Forbid this area` },
+  exempt: { title: t`Click or tap the corners of the area that need not be worked.`, done: t`Exempt this area` },
+  subfield: { title: t`Click or tap the corners of the subfield; over the edge of the field is fine.`, done: t`Make it a subfield` },
+  cut: { title: t`Click or tap the points of the line that divides the field.`, done: t`Cut here` },
+  lock: { title: t`Click or tap the corners of the part whose tracks stay as they are.`, done: t`Keep this part` },
+  edge: { title: t`Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.`, done: '' },
 };
 
 export function DrawingBar() {
@@ -33,17 +41,17 @@ export function DrawingBar() {
   const last = places[places.length - 1];
   const before = places[places.length - 2];
   return (
-    <div class="drawing-bar" role="group" aria-label="Drawing">
+    <div class="drawing-bar" role="group" aria-label={t`Drawing`}>
       <p>
-        {title} {places.length > 0 && <strong>{plural(places.length, 'point')} set{last && before ? `, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose === 'obstacle-area' ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
+        {title} {places.length > 0 && <strong>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose === 'obstacle-area' ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
       </p>
-      {purpose !== 'edge' && <TypedPlace last={last ?? null} />}
+      {purpose !== 'edge' && !fixedEnds(purpose) && <TypedPlace last={last ?? null} />}
       <div class="row">
         {purpose !== 'edge' && <Button kind="main" disabled={places.length < least(purpose)} onClick={() => void finish()}>{done}</Button>}
-        {purpose !== 'edge' && <Button disabled={past === 0} onClick={undo}>Undo</Button>}
-        {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>Redo</Button>}
-        {purpose !== 'edge' && !single(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>Delete the corner</Button>}
-        <Button onClick={stop}>Cancel</Button>
+        {purpose !== 'edge' && <Button disabled={past === 0} onClick={undo}>{t`Undo`}</Button>}
+        {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>{t`Redo`}</Button>}
+        {purpose !== 'edge' && !single(purpose) && !fixedEnds(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>{t`Delete the corner`}</Button>}
+        <Button onClick={stop}>{t`Cancel`}</Button>
       </div>
     </div>
   );
@@ -55,14 +63,14 @@ function TypedPlace({ last }: { last: Place | null }) {
     const numbers = text.trim().split(/[\s;]+|,\s*/).filter((part) => part !== '').map(Number);
     const [a, b] = numbers;
     if (numbers.length !== 2 || a === undefined || b === undefined || !Number.isFinite(a) || !Number.isFinite(b)) {
-      complain(last ? 'Type two numbers: metres to the east and to the north of the last point, such as “120 -40”.' : 'Type two numbers: latitude and longitude in degrees, such as “52.6925 9.1478”.');
+      complain(last ? t`Type two numbers: how far to the east and to the north of the last point, in ${unitOf('m').name}, such as “120 -40”.` : t`Type two numbers: latitude and longitude in degrees, such as “52.6925 9.1478”.`);
       return;
     }
     if (!last && (Math.abs(a) > 85 || Math.abs(b) > 180)) {
-      complain('Latitude goes from −85 to 85, longitude from −180 to 180. Type them in this order.');
+      complain(t`Latitude goes from −85 to 85, longitude from −180 to 180. Type them in this order.`);
       return;
     }
-    const place = last ? moved(last, a, b) : ([b, a] as Place);
+    const place = last ? moved(last, a * unitOf('m').size, b * unitOf('m').size) : ([b, a] as Place);
     add(place);
     const all = drawing.get().places;
     if (all.length < 2) engine()?.look(place, 100);
@@ -72,10 +80,10 @@ function TypedPlace({ last }: { last: Place | null }) {
   return (
     <form class="row" onSubmit={(event) => { event.preventDefault(); set(); }}>
       <label class="grow">
-        <span class="label">{last ? 'Or metres east and north of the last point' : 'Or latitude and longitude in degrees'}</span>
+        <span class="label">{last ? t`Or ${unitOf('m').name === 'm' ? t`metres` : t`feet`} east and north of the last point` : t`Or latitude and longitude in degrees`}</span>
         <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '52.6925 9.1478'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
       </label>
-      <button type="submit" class="button">Set</button>
+      <button type="submit" class="button">{t`Set`}</button>
     </form>
   );
 }

@@ -7,9 +7,10 @@ import { Switch } from '../../parts/switch';
 import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../../state/review';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const TITLES: Record<DriveLayer, string> = {
-  covered: 'Covered', repeated: 'Repeated', missed: 'Missed', not_recorded: 'Not recorded', multiplicity: 'How often worked', track: 'Path driven', gaps: 'Gaps, numbered',
+  covered: t`Covered`, repeated: t`Repeated`, missed: t`Missed`, not_recorded: t`Not recorded`, multiplicity: t`How often worked`, track: t`Path driven`, gaps: t`Gaps, numbered`,
 };
 
 const sum = (shapes: FeatureCollection | undefined, key: string) =>

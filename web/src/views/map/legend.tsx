@@ -7,6 +7,7 @@ import { session } from '../../state/session';
 import { useStore } from '../../state/store';
 import { DriveLayers } from './drive_layer_list';
 import { LayerList } from './plan_layer_list';
+import { t } from '../../words';
 
 /** Phones and tablets keep their map free. */
 const narrow = matchMedia('(max-width: 1100px)');
@@ -20,9 +21,9 @@ export function Legend() {
   const list = view === 'plan' || view === 'compare' ? plan && <LayerList /> : view === 'review' && drive && !moving ? <DriveLayers drive={drive} /> : null;
   if (!list) return null;
   return (
-    <aside class="unboxed" aria-label="Legend">
+    <aside class="unboxed" aria-label={t`Legend`}>
       <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-        <summary>On the map</summary>
+        <summary>{t`On the map`}</summary>
         {list}
       </details>
     </aside>

@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { complain } from '../../actions/notices';
 import { metres } from '../../format';
+import { unitOf } from '../../measures';
 import { farmBox } from '../../map/boxes';
 import { engine, loadEngine } from '../../map/engine_loader';
 import type { Scale } from '../../map/grid';
@@ -12,6 +13,7 @@ import { review } from '../../state/review';
 import { session, tilesHost } from '../../state/session';
 import { useStore } from '../../state/store';
 import { DrawingBar } from './drawing_bar';
+import { t } from '../../words';
 
 function webglWorks(): boolean {
   const canvas = document.createElement('canvas');
@@ -23,14 +25,14 @@ export function MapHost() {
   const [scale, setScale] = useState<Scale | null>(null);
   useEffect(() => {
     if (!webglWorks()) {
-      complain('This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.');
+      complain(t`This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.`);
       return;
     }
     void loadEngine(() => box.current, setScale);
   }, []);
   const drawing = useStore(plans, (value) => value.drawing);
   return (
-    <section class="map" aria-label="Map" aria-busy={drawing}>
+    <section class="map" aria-label={t`Map`} aria-busy={drawing}>
       <div ref={box} class="canvas" data-testid="map" />
       <div class="crosshair" aria-hidden="true" />
       <MapButtons />
@@ -41,13 +43,19 @@ export function MapHost() {
   );
 }
 
-const short = (m: number) => (m >= 1000 ? `${m / 1000} km` : m >= 1 ? `${m} m` : metres(m));
+/** Round lengths have no decimals that say nothing. */
+function short(m: number): string {
+  const { name, size } = unitOf('m');
+  const round = Number((m / size).toPrecision(3));
+  if (name === 'm' && m >= 1000) return `${m / 1000} km`;
+  return round >= 1 ? `${round} ${name}` : metres(m);
+}
 
 const ScaleBar = ({ length_m, width_px, grid_m }: Scale) => (
-  <div class="scale" role="img" aria-label={`Scale: the bar is ${short(length_m)} long, and the lines of the grid are ${short(grid_m)} apart`}>
+  <div class="scale" role="img" aria-label={t`Scale: the bar is ${short(length_m)} long, and the lines of the grid are ${short(grid_m)} apart`}>
     <span class="bar" style={{ width: `${Math.round(width_px)}px` }} />
     <span>{short(length_m)}</span>
-    <span class="grid-step">grid {short(grid_m)}</span>
+    <span class="grid-step">{t`grid ${short(grid_m)}`}</span>
   </div>
 );
 
@@ -56,7 +64,7 @@ function Attribution() {
   const info = useStore(session, (value) => value.info);
   const on = useStore(session, (value) => value.tiles);
   if (!on || !info?.tiles) return null;
-  return <p class="attribution">{info.tiles_attribution ?? `Background: ${tilesHost()}`}</p>;
+  return <p class="attribution">{info.tiles_attribution ?? t`Background: ${tilesHost()}`}</p>;
 }
 
 function MapButtons() {
@@ -69,11 +77,11 @@ function MapButtons() {
   };
   return (
     <div class="map-buttons">
-      <button type="button" class="button square" aria-label="Zoom in" onClick={() => engine()?.zoomBy(1)}><Icon name="plus" /></button>
-      <button type="button" class="button square" aria-label="Zoom out" onClick={() => engine()?.zoomBy(-1)}><Icon name="minus" /></button>
-      <button type="button" class="button square" aria-label="Show the whole field" onClick={fitAll}><Icon name="fit" /></button>
+      <button type="button" class="button square" aria-label={t`Zoom in`} onClick={() => engine()?.zoomBy(1)}><Icon name="plus" /></button>
+      <button type="button" class="button square" aria-label={t`Zoom out`} onClick={() => engine()?.zoomBy(-1)}><Icon name="minus" /></button>
+      <button type="button" class="button square" aria-label={t`Show the whole field`} onClick={fitAll}><Icon name="fit" /></button>
       {tiles !== null && (
-        <button type="button" class="button" aria-pressed={tilesOn} onClick={() => session.set({ tiles: !tilesOn })}>Background</button>
+        <button type="button" class="button" aria-pressed={tilesOn} onClick={() => session.set({ tiles: !tilesOn })}>{t`Background`}</button>
       )}
     </div>
   );

@@ -9,23 +9,24 @@ import { Switch } from '../../parts/switch';
 import { isShown, plans } from '../../state/plans';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 type Mark = { colour: keyof Colours & string; form: 'area' | 'line' | 'dashed' };
 const KNOWN: Record<string, { title: string; mark: Mark }> = {
-  overlap: { title: 'Overlap', mark: { colour: 'Overlap', form: 'area' } },
-  outside: { title: 'Of it outside the field', mark: { colour: 'NoRoom', form: 'dashed' } },
-  uncovered: { title: 'Uncovered', mark: { colour: 'Uncovered', form: 'area' } },
-  headland_unworked: { title: 'Of it in the headland', mark: { colour: 'Uncovered', form: 'area' } },
-  tracks: { title: 'Tracks', mark: { colour: 'Track', form: 'line' } },
-  route_legs: { title: 'Route', mark: { colour: 'Turn', form: 'line' } },
-  swaths: { title: 'Swaths', mark: { colour: 'Rule', form: 'area' } },
-  detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
-  headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
-  headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
-  subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
-  given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
-  worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },
-  dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
+  overlap: { title: t`Overlap`, mark: { colour: 'Overlap', form: 'area' } },
+  outside: { title: t`Of it outside the field`, mark: { colour: 'NoRoom', form: 'dashed' } },
+  uncovered: { title: t`Uncovered`, mark: { colour: 'Uncovered', form: 'area' } },
+  headland_unworked: { title: t`Of it in the headland`, mark: { colour: 'Uncovered', form: 'area' } },
+  tracks: { title: t`Tracks`, mark: { colour: 'Track', form: 'line' } },
+  route_legs: { title: t`Route`, mark: { colour: 'Turn', form: 'line' } },
+  swaths: { title: t`Swaths`, mark: { colour: 'Rule', form: 'area' } },
+  detours: { title: t`Detours`, mark: { colour: 'Detour', form: 'line' } },
+  headland_passes: { title: t`Headland passes`, mark: { colour: 'HeadlandPass', form: 'line' } },
+  headland: { title: t`Headland`, mark: { colour: 'Headland', form: 'area' } },
+  subfields: { title: t`Subfields`, mark: { colour: 'Passable', form: 'area' } },
+  given_up: { title: t`Left out on purpose`, mark: { colour: 'Uncovered', form: 'area' } },
+  worked: { title: t`Worked before`, mark: { colour: 'Covered', form: 'area' } },
+  dropped: { title: t`Too short to drive`, mark: { colour: 'Dropped', form: 'dashed' } },
 };
 
 const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? area(layer.m2) : String(layer.features));

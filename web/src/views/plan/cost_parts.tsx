@@ -3,21 +3,22 @@ import type { WholeCost } from '../../api/types';
 import { money, percent } from '../../format';
 import { Expander } from '../../parts/expander';
 import { OPERATIONS } from '../../state/rates';
+import { t } from '../../words';
 
 const PARTS: { label: string; of: (cost: WholeCost) => number }[] = [
-  { label: 'Machine and driver', of: (c) => c.euros_hours },
-  { label: 'Fuel', of: (c) => c.euros_fuel },
-  { label: 'Overlap', of: (c) => c.euros_overlap },
-  { label: 'Missed land', of: (c) => c.euros_missed },
-  { label: 'Stops', of: (c) => c.euros_stops },
-  { label: 'Crop driven over', of: (c) => c.euros_driven_over },
+  { label: t`Machine and driver`, of: (c) => c.euros_hours },
+  { label: t`Fuel`, of: (c) => c.euros_fuel },
+  { label: t`Overlap`, of: (c) => c.euros_overlap },
+  { label: t`Missed land`, of: (c) => c.euros_missed },
+  { label: t`Stops`, of: (c) => c.euros_stops },
+  { label: t`Crop driven over`, of: (c) => c.euros_driven_over },
 ];
 
 export function CostParts({ cost }: { cost: WholeCost }) {
   const parts = PARTS.filter(({ of }) => of(cost) > 0.005);
   const most = Math.max(...parts.map(({ of }) => of(cost)), 1e-9);
   return (
-    <Expander title="What the whole cost is made of">
+    <Expander title={t`What the whole cost is made of`}>
       <ul class="bars">
         {parts.map(({ label, of }) => (
           <li key={label}>
@@ -27,8 +28,8 @@ export function CostParts({ cost }: { cost: WholeCost }) {
         ))}
       </ul>
       <p class="hint">
-        {`${OPERATIONS[cost.rates.operation] ?? cost.rates.operation} at ${money(cost.rates.price_per_hour)} an hour. `}
-        {`The work is off for ${percent(cost.not_working_share)} of the time; field efficiency ${percent(cost.field_efficiency)}.`}
+        {t`${OPERATIONS[cost.rates.operation] ?? cost.rates.operation} at ${money(cost.rates.price_per_hour)} an hour. `}
+        {t`The work is off for ${percent(cost.not_working_share)} of the time; field efficiency ${percent(cost.field_efficiency)}.`}
       </p>
     </Expander>
   );

@@ -3,10 +3,11 @@ import { attempt } from '../../actions/notices';
 import { planAlong } from '../../actions/planning';
 import type { PlanFull, Place } from '../../api/types';
 import { degrees, hours, money } from '../../format';
-import { moved } from '../../map/metres';
+import { moved } from '../../metres';
 import { Button } from '../../parts/button';
 import { costOf, form } from '../../state/plan_form';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 interface Undivided {
   direction_deg: number;
@@ -18,7 +19,7 @@ interface Undivided {
 function undividedOf({ explain, summary }: PlanFull): Undivided | null {
   const route = explain?.routes?.find(({ directions_deg, kind }) => directions_deg.length === 1 && kind !== 'no headland');
   if (route && summary.whole_cost)
-    return { direction_deg: route.directions_deg[0]!, more: route.euros - summary.whole_cost.euros, said: `${money(route.euros)} and ${hours(route.hours)}` };
+    return { direction_deg: route.directions_deg[0]!, more: route.euros - summary.whole_cost.euros, said: t`${money(route.euros)} and ${hours(route.hours)}` };
   const other = explain?.runner_ups?.find(({ subfields }) => subfields === 1);
   if (!other) return null;
   return { direction_deg: other.direction_deg[0]!, more: costOf(other) - costOf(summary), said: money(costOf(other)) };
@@ -38,11 +39,13 @@ export function OneDirection({ plan }: { plan: PlanFull }) {
   const other = undividedOf(plan);
   if (!other) return null;
   return (
-    <div class="between aside" role="group" aria-label="One direction">
+    <div class="between aside" role="group" aria-label={t`One direction`}>
       <p class="hint">
-        {`With one direction over the whole field, towards ${degrees(other.direction_deg)}: ${other.said}, ${money(Math.abs(other.more))} ${other.more < 0 ? 'less' : 'more'}.`}
+        {other.more < 0
+          ? t`With one direction over the whole field, towards ${degrees(other.direction_deg)}: ${other.said}, ${money(-other.more)} less.`
+          : t`With one direction over the whole field, towards ${degrees(other.direction_deg)}: ${other.said}, ${money(other.more)} more.`}
       </p>
-      <Button onClick={() => void attempt(() => planAlong(lineAlong(plan, other.direction_deg)))}>Take one direction</Button>
+      <Button onClick={() => void attempt(() => planAlong(lineAlong(plan, other.direction_deg)))}>{t`Take one direction`}</Button>
     </div>
   );
 }

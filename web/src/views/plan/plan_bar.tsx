@@ -5,6 +5,7 @@ import { hours, money, squareMetres } from '../../format';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 export function PlanBar({ plan }: { plan: PlanFull }) {
   useStore(form, (value) => value); // costs of tracks are counted at its prices
@@ -22,8 +23,8 @@ export function PlanBar({ plan }: { plan: PlanFull }) {
   const list = [
     s.whole_cost ? money(s.whole_cost.euros) : money(costOf(s)),
     ...(s.whole_cost ? [hours(s.whole_cost.hours)] : []),
-    `${squareMetres(s.overlap_m2)} twice`,
-    `${squareMetres(s.uncovered_m2)} missed`,
+    t`${squareMetres(s.overlap_m2)} twice`,
+    t`${squareMetres(s.uncovered_m2)} missed`,
   ];
   return <div class={job ? 'plan-bar stale' : 'plan-bar'} aria-hidden="true">{list.map((text) => <span key={text}>{text}</span>)}</div>;
 }

@@ -8,6 +8,7 @@ import { sameRates } from '../../state/rates';
 import { useStore } from '../../state/store';
 import { CostParts } from './cost_parts';
 import { OneDirection } from './one_direction';
+import { t } from '../../words';
 
 /** A wider gap between plan and bound says nothing. */
 const TELLING = 0.3;
@@ -19,6 +20,8 @@ interface Row {
   write: (value: number) => string;
   tone?: Figure['tone'];
   note?: string | undefined;
+  /** Hours and litres can be compared where money cannot. */
+  money?: false;
 }
 
 /** A value, and by how much it differs from a plan that it can be compared with. */
@@ -26,7 +29,7 @@ function figure({ label, of, write, tone, note }: Row, now: PlanSummary, before:
   const by = before ? of(now) - of(before) : 0;
   const told = before ? change(by, write) : undefined;
   const same = told?.startsWith('±');
-  return { label, value: write(of(now)), change: same ? 'as before' : told, better: told === undefined || same ? undefined : by < 0, note, ...(tone ? { tone } : {}) };
+  return { label, value: write(of(now)), change: same ? t`as before` : told, better: told === undefined || same ? undefined : by < 0, note, ...(tone ? { tone } : {}) };
 }
 
 const whole = (summary: PlanSummary): WholeCost => summary.whole_cost!;
@@ -43,31 +46,31 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
   const before = last && sameLand(last, s) ? last : null;
   const costs: Row[] = s.whole_cost
     ? [
-        { label: 'Whole cost', of: (x) => whole(x).euros, write: money },
-        { label: 'Time', of: (x) => whole(x).hours, write: hours },
-        { label: 'Fuel', of: (x) => whole(x).litres, write: litres },
+        { label: t`Whole cost`, of: (x) => whole(x).euros, write: money },
+        { label: t`Time`, of: (x) => whole(x).hours, write: hours, money: false },
+        { label: t`Fuel`, of: (x) => whole(x).litres, write: litres, money: false },
       ]
-    : [{ label: 'Cost', of: (x) => costOf(x, prices), write: money }];
+    : [{ label: t`Cost`, of: (x) => costOf(x, prices), write: money }];
   const land: Row[] = [
-    { label: 'Overlap', of: (x) => x.overlap_m2, write: squareMetres, tone: 'overlap', note: s.outside_m2 >= 0.5 ? `${squareMetres(s.outside_m2)} outside` : undefined },
-    { label: 'Uncovered', of: (x) => x.uncovered_m2, write: squareMetres, tone: 'uncovered' },
-    { label: 'Turns', of: (x) => x.turns, write: count },
-    { label: 'Stops', of: (x) => x.stops, write: count },
+    { label: t`Overlap`, of: (x) => x.overlap_m2, write: squareMetres, tone: 'overlap', note: s.outside_m2 >= 0.5 ? t`${squareMetres(s.outside_m2)} outside` : undefined },
+    { label: t`Uncovered`, of: (x) => x.uncovered_m2, write: squareMetres, tone: 'uncovered' },
+    { label: t`Turns`, of: (x) => x.turns, write: count },
+    { label: t`Stops`, of: (x) => x.stops, write: count },
   ];
-  const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.label === 'Time' || row.label === 'Fuel' ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
+  const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.money === false ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
   return (
-    <section id="numbers" tabIndex={-1} aria-label="The plan in numbers">
-      <Figures label="The plan in numbers"
+    <section id="numbers" tabIndex={-1} aria-label={t`The plan in numbers`}>
+      <Figures label={t`The plan in numbers`}
         list={[
           ...costs.map((row) => figure(row, s, alike(row, before))),
           ...land.map((row) => figure(row, s, before)),
-          { label: 'Tracks', value: count(s.tracks), note: length(s.track_length_m) },
-          ...(s.whole_cost ? [{ label: 'Headland', value: plural(s.headland_passes, 'pass', 'passes'), note: length(s.headland_length_m) }] : []),
+          { label: t`Tracks`, value: count(s.tracks), note: length(s.track_length_m) },
+          ...(s.whole_cost ? [{ label: t`Headland`, value: plural(s.headland_passes, 'pass', 'passes'), note: length(s.headland_length_m) }] : []),
         ]} />
       <p class="hint">
-        {`${hectares(s.area_m2)} to work${s.headland_m2 > 0 ? `: ${hectares(s.headland_m2)} headland, ${hectares(s.body_m2)} behind it` : ''}${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? `, tracks towards ${s.direction_deg.map(degrees).join(' and ')}` : ''}.`}
-        {s.outside_m2 >= 0.5 && ` Of the overlap ${squareMetres(s.outside_m2)} lie outside the field.`}
-        {typeof s.gap === 'number' && s.gap < TELLING && ` No plan can be cheaper by more than ${percent(s.gap)}.`}
+        {t`${hectares(s.area_m2)} to work${s.headland_m2 > 0 ? t`: ${hectares(s.headland_m2)} headland, ${hectares(s.body_m2)} behind it` : ''}${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? t`, tracks towards ${s.direction_deg.map(degrees).join(t` and `)}` : ''}.`}
+        {s.outside_m2 >= 0.5 && t` Of the overlap ${squareMetres(s.outside_m2)} lie outside the field.`}
+        {typeof s.gap === 'number' && s.gap < TELLING && t` No plan can be cheaper by more than ${percent(s.gap)}.`}
       </p>
       {s.whole_cost && <CostParts cost={s.whole_cost} />}
       <OneDirection plan={plan} />
@@ -80,10 +83,10 @@ function Remarks({ plan }: { plan: PlanFull }) {
   const { warnings = [], dropped = [] } = plan.summary;
   if (warnings.length + dropped.length === 0) return null;
   return (
-    <Expander title={`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
+    <Expander title={t`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
       <ul class="plain">
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
-        {dropped.length > 0 && <li>{dropped.length === 1 ? 'One piece was too short to be worth driving; its' : `${count(dropped.length)} pieces were too short to be worth driving; their`} land counts as uncovered.</li>}
+        {dropped.length > 0 && <li>{dropped.length === 1 ? t`One piece was too short to be worth driving; its land counts as uncovered.` : t`${count(dropped.length)} pieces were too short to be worth driving; their land counts as uncovered.`}</li>}
       </ul>
     </Expander>
   );

@@ -6,26 +6,24 @@ import { Button } from '../../parts/button';
 import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
 import { TitleField } from '../../parts/title_field';
-import { fields } from '../../state/fields';
-import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 export function PlanHead({ plan }: { plan: PlanFull }) {
-  const reshaped = useStore(fields, (value) => (value.open?.id === plan.field ? value.open.reshaped : ''));
   const remove = async () => {
     await deletePlan(plan.id);
-    note('The plan is deleted. Make another one, or open another plan of this field under Compare.');
+    note(t`The plan is deleted. Make another one, or open another plan of this field under Compare.`);
   };
   return (
-    <section class="plan-head" aria-label={`Open plan: ${plan.name}`}>
+    <section class="plan-head" aria-label={t`Open plan: ${plan.name}`}>
       <div class="row tight">
-        <TitleField key={plan.id} label="Name of the plan" value={plan.name} save={(name) => void attempt(() => renamePlan(plan.id, name))} />
-        <ConfirmButton label={`Delete the plan ${plan.name}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
+        <TitleField key={plan.id} label={t`Name of the plan`} value={plan.name} save={(name) => void attempt(() => renamePlan(plan.id, name))} />
+        <ConfirmButton label={t`Delete the plan ${plan.name}`} ask={t`Delete it`} act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
       </div>
-      {plan.created < reshaped && <p class="notice error">This plan is of an earlier shape of the field. Plan again before you drive.</p>}
+      {plan.earlier_shape && <p class="notice error">{t`This plan is of an earlier shape of the field. Plan again before you drive.`}</p>}
       {plan.draft && (
         <div class="between">
-          <p class="hint">A draft: the next change replaces it, unless you keep, name or download it.</p>
-          <Button onClick={() => void attempt(() => keepPlan(plan.id))}>Keep it</Button>
+          <p class="hint">{t`A draft: the next change replaces it, unless you keep, name or download it.`}</p>
+          <Button onClick={() => void attempt(() => keepPlan(plan.id))}>{t`Keep it`}</Button>
         </div>
       )}
     </section>

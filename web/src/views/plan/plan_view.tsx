@@ -12,6 +12,7 @@ import { NoField } from '../no_field';
 import { CheckPlan } from './check_plan';
 import { CostsForm } from './costs_form';
 import { EndsForm } from './ends_form';
+import { HandForm } from './hand_form';
 import { MachineForm } from './machine_form';
 import { PlanBar } from './plan_bar';
 import { PlanFigures } from './plan_figures';
@@ -21,13 +22,15 @@ import { PlanList } from './plan_list';
 import { RepairCosts } from './repair_costs';
 import { RouteFigures } from './route_figures';
 import { RouteForm } from './route_form';
+import { TakeAlong } from './take_along';
 import { TracksForm } from './tracks_form';
+import { t } from '../../words';
 
 /** What is read out when a plan is there. */
 const spoken = ({ summary: s }: PlanFull) =>
   s.whole_cost
-    ? `The plan is made: ${money(s.whole_cost.euros)}, ${hours(s.whole_cost.hours)}, ${squareMetres(s.uncovered_m2)} uncovered.`
-    : `The plan is made: ${plural(s.tracks, 'track')}, ${squareMetres(s.overlap_m2)} overlap, ${squareMetres(s.uncovered_m2)} uncovered.`;
+    ? t`The plan is made: ${money(s.whole_cost.euros)}, ${hours(s.whole_cost.hours)}, ${squareMetres(s.uncovered_m2)} uncovered.`
+    : t`The plan is made: ${plural(s.tracks, 'track')}, ${squareMetres(s.overlap_m2)} overlap, ${squareMetres(s.uncovered_m2)} uncovered.`;
 
 /** A number that cannot be is looked at first; afterwards the figures have the focus. */
 function submit(settings: HTMLFormElement): void {
@@ -35,7 +38,7 @@ function submit(settings: HTMLFormElement): void {
   if (wrong) {
     wrong.closest('details')?.setAttribute('open', '');
     wrong.focus();
-    return complain(`${wrong.labels?.[0]?.textContent ?? 'A number'} cannot be so. Correct it, then plan again.`);
+    return complain(t`${wrong.labels?.[0]?.textContent ?? t`A number`} cannot be so. Correct it, then plan again.`);
   }
   void attempt(() => makePlan()).then((made) => {
     if (made && (document.activeElement === null || document.activeElement === document.body || settings.contains(document.activeElement))) document.getElementById('numbers')?.focus();
@@ -56,6 +59,7 @@ export function PlanView() {
       {open?.explain?.repair && <RepairCosts repair={open.explain.repair} />}
       {open && <PlanBar plan={open} />}
       {open?.summary.route && <RouteFigures plan={open} route={open.summary.route} />}
+      {open && open.kind !== 'repair' && <HandForm plan={open} />}
       <PlanList />
       <form onSubmit={(event) => { event.preventDefault(); submit(event.currentTarget); }}>
         <MachineForm />
@@ -65,14 +69,15 @@ export function PlanView() {
         <RouteForm />
         <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
-            <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
+            <Progress job={job} title={t`Planning`} cancel={() => void attempt(cancelPlan)} />
           ) : (
-            <button type="submit" class="button main wide">{open ? 'Plan again' : 'Make the plan'}</button>
+            <button type="submit" class="button main wide">{open ? t`Plan again` : t`Make the plan`}</button>
           )}
         </div>
-        <Switch on={again} label="Plan again automatically when something changes" change={(on) => form.set({ again: on })} />
+        <Switch on={again} label={t`Plan again automatically when something changes`} change={(on) => form.set({ again: on })} />
       </form>
       {open && <CheckPlan plan={open} />}
+      {open && <TakeAlong plan={open} />}
       {open && <PlanFiles plan={open} />}
     </>
   );

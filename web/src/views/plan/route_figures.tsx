@@ -7,13 +7,14 @@ import { sumsByKind } from '../../state/route_sums';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
 import { RoutePlayer } from './route_player';
+import { t } from '../../words';
 
 const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; form: Mark['form'] }> = {
-  work: { title: 'Tracks', colour: 'Track', form: 'line' },
-  headland: { title: 'Headland passes', colour: 'HeadlandPass', form: 'line' },
-  turn: { title: 'Turns', colour: 'Turn', form: 'line' },
-  transit: { title: 'Other ways', colour: 'Transit', form: 'line' },
-  back_out: { title: 'Backing out', colour: 'BackOut', form: 'dashed' },
+  work: { title: t`Tracks`, colour: 'Track', form: 'line' },
+  headland: { title: t`Headland passes`, colour: 'HeadlandPass', form: 'line' },
+  turn: { title: t`Turns`, colour: 'Turn', form: 'line' },
+  transit: { title: t`Other ways`, colour: 'Transit', form: 'line' },
+  back_out: { title: t`Backing out`, colour: 'BackOut', form: 'dashed' },
 };
 
 export function RouteFigures({ plan, route }: { plan: PlanFull; route: Route }) {
@@ -23,9 +24,9 @@ export function RouteFigures({ plan, route }: { plan: PlanFull; route: Route }) 
   const idle = sums.filter(({ kind }) => kind !== 'work' && kind !== 'headland').reduce((all, { length_m }) => all + length_m, 0);
   return (
     <section aria-labelledby="route-title">
-      <h2 id="route-title">The route</h2>
+      <h2 id="route-title">{t`The route`}</h2>
       <table class="legs" aria-labelledby="route-title">
-        <thead><tr><th>Legs</th><th>Count</th><th>Length</th><th>Time</th></tr></thead>
+        <thead><tr><th>{t`Legs`}</th><th>{t`Count`}</th><th>{t`Length`}</th><th>{t`Time`}</th></tr></thead>
         <tbody>
           {sums.map((sum) => {
             const { title, colour, form } = KINDS[sum.kind];
@@ -39,7 +40,7 @@ export function RouteFigures({ plan, route }: { plan: PlanFull; route: Route }) 
             );
           })}
           <tr class="total">
-            <th scope="row">All</th>
+            <th scope="row">{t`All`}</th>
             <td>{count(route.legs.length)}</td>
             <td>{length(route.length_m)}</td>
             <td>{clock(route.time_s)}</td>
@@ -47,13 +48,13 @@ export function RouteFigures({ plan, route }: { plan: PlanFull; route: Route }) 
         </tbody>
       </table>
       <p class="hint">
-        {`On ${percent(route.length_m > 0 ? idle / route.length_m : 0)} of the way the work is off`}
-        {route.reverse_m > 0 && `, and ${length(route.reverse_m)} are driven in reverse`}.
-        {` No route over these tracks and passes can be quicker by more than ${percent(Math.max(0, route.gap))}.`}
+        {t`On ${percent(route.length_m > 0 ? idle / route.length_m : 0)} of the way the work is off`}
+        {route.reverse_m > 0 && t`, and ${length(route.reverse_m)} are driven in reverse`}.
+        {t` No route over these tracks and passes can be quicker by more than ${percent(Math.max(0, route.gap))}.`}
       </p>
       <RoutePlayer plan={plan} />
       {route.without_room > 0 && (
-        <p class="notice error">{`${plural(route.without_room, 'leg has', 'legs have')} no room on the land: red on the map.`}</p>
+        <p class="notice error">{t`${plural(route.without_room, 'leg has', 'legs have')} no room on the land: red on the map.`}</p>
       )}
     </section>
   );

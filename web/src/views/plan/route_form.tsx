@@ -6,11 +6,12 @@ import { Choice, Select } from '../../parts/choice';
 import { Switch } from '../../parts/switch';
 import { form } from '../../state/plan_form';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const ORDERS = [
-  { value: 'best', label: 'In the order that takes the least time' },
-  { value: 'adjacent', label: 'One beside the other' },
-  ...[1, 2, 3, 4].map((skipped) => ({ value: `skip ${skipped + 1}`, label: `Leaving out ${skipped}` })),
+  { value: 'best', label: t`In the order that takes the least time` },
+  { value: 'adjacent', label: t`One beside the other` },
+  ...[1, 2, 3, 4].map((skipped) => ({ value: `skip ${skipped + 1}`, label: t`Leaving out ${skipped}` })),
 ];
 
 export function RouteForm() {
@@ -18,30 +19,35 @@ export function RouteForm() {
   const whole = by === 'whole';
   return (
     <section aria-labelledby="route-form-title">
-      <h2 id="route-form-title">Route</h2>
-      {!whole && <Switch on={route} label="Plan every metre, from the first to the last" change={(on) => form.set({ route: on })} />}
+      <h2 id="route-form-title">{t`Route`}</h2>
+      {!whole && <Switch on={route} label={t`Plan every metre, from the first to the last`} change={(on) => form.set({ route: on })} />}
       {(whole || route) && (
         <>
-          <Select label="Tracks are driven" value={order} options={ORDERS} change={(value) => form.set({ order: value })} />
+          <Select label={t`Tracks are driven`} value={order} options={ORDERS} change={(value) => form.set({ order: value })} />
           {(headlands === 'auto' || headlands > 0) && (
-            <Choice label="Headland passes come" value={headland_time} change={(value) => form.set({ headland_time: value })}
-              options={[{ value: 'last', label: 'Last' }, { value: 'first', label: 'First' }]} />
+            <Choice label={t`Headland passes come`} value={headland_time} change={(value) => form.set({ headland_time: value })}
+              options={[{ value: 'last', label: t`Last` }, { value: 'first', label: t`First` }]} />
           )}
-          <Gate name="start" at={start} set={(place) => form.set({ start: place })} />
-          <Gate name="end" at={end} set={(place) => form.set({ end: place })} />
+          <Gate end="start" at={start} set={(place) => form.set({ start: place })} />
+          <Gate end="end" at={end} set={(place) => form.set({ end: place })} />
         </>
       )}
     </section>
   );
 }
 
-function Gate({ name, at, set }: { name: 'start' | 'end'; at: Place | null; set: (place: Place | null) => void }) {
+const GATES = {
+  start: { set: t`Set the start on the map`, move: t`Move the start`, remove: t`Remove the start` },
+  end: { set: t`Set the end on the map`, move: t`Move the end`, remove: t`Remove the end` },
+};
+
+function Gate({ end, at, set }: { end: 'start' | 'end'; at: Place | null; set: (place: Place | null) => void }) {
   return (
     <div class="row">
       <Button onClick={() => drawFor('gate', async (geometry) => set(geometry.coordinates as Place))}>
-        {at ? `Move the ${name}` : `Set the ${name} on the map`}
+        {GATES[end][at ? 'move' : 'set']}
       </Button>
-      {at && <Button kind="quiet" onClick={() => set(null)}>{`Remove the ${name}`}</Button>}
+      {at && <Button kind="quiet" onClick={() => set(null)}>{GATES[end].remove}</Button>}
     </div>
   );
 }

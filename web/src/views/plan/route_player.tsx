@@ -1,5 +1,5 @@
 // The route driven on the map, with what it has taken so far.
-import { leaveRoute, pauseRoute, playRoute, seekRoute } from '../../actions/route_play';
+import { leaveRoute, pauseRoute, playRoute, seekRoute } from '../../actions/play/route_play';
 import type { LegKind, PlanFull } from '../../api/types';
 import { clock, count, litres, money } from '../../format';
 import { Button } from '../../parts/button';
@@ -9,9 +9,10 @@ import { Icon } from '../../parts/icon';
 import { Slider } from '../../parts/slider';
 import { routePlay, soFar } from '../../state/route_play';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const SPEEDS = [1, 5, 20, 60, 200, 600];
-const DOES: Record<LegKind, string> = { work: 'a track', headland: 'a headland pass', turn: 'a turn', transit: 'a way with the work off', back_out: 'backing out' };
+const DOES: Record<LegKind, string> = { work: t`a track`, headland: t`a headland pass`, turn: t`a turn`, transit: t`a way with the work off`, back_out: t`backing out` };
 
 export function RoutePlayer({ plan }: { plan: PlanFull }) {
   const state = useStore(routePlay, (value) => value);
@@ -19,26 +20,26 @@ export function RoutePlayer({ plan }: { plan: PlanFull }) {
   const mine = state.plan === plan.id;
   const at = mine ? state.at_s : 0;
   const playing = mine && state.playing;
-  const { leg, litres: fuel, euros } = soFar(route, plan.summary.whole_cost, at);
+  const { leg, litres: fuel, euros } = soFar(plan, at);
   const now = route.legs[leg];
   return (
-    <div class="replay" role="group" aria-label="Drive the route">
+    <div class="replay" role="group" aria-label={t`Drive the route`}>
       <div class="row tight">
-        <Button aria-label={playing ? 'Pause the route' : 'Drive the route'} onClick={() => (playing ? pauseRoute() : playRoute(plan.id, route))}>
-          <Icon name={playing ? 'pause' : 'play'} /> {playing ? 'Pause' : 'Drive'}
+        <Button aria-label={playing ? t`Pause the route` : t`Drive the route`} onClick={() => (playing ? pauseRoute() : playRoute(plan.id, route))}>
+          <Icon name={playing ? 'pause' : 'play'} /> {playing ? t`Pause` : t`Drive`}
         </Button>
-        <Select label="Speed" value={String(state.speed)} change={(value) => routePlay.set({ speed: Number(value) })}
+        <Select label={t`Speed`} value={String(state.speed)} change={(value) => routePlay.set({ speed: Number(value) })}
           options={SPEEDS.map((speed) => ({ value: String(speed), label: `${speed} ×` }))} />
-        {mine && <Button onClick={leaveRoute}>Whole route</Button>}
+        {mine && <Button onClick={leaveRoute}>{t`Whole route`}</Button>}
       </div>
-      <Slider label="Time" value={at} least={0} most={Math.max(1, route.time_s)} step="any" says={`${clock(at)} of ${clock(route.time_s)} h`}
+      <Slider label={t`Time`} value={at} least={0} most={Math.max(1, route.time_s)} step="any" says={t`${clock(at)} of ${clock(route.time_s)} h`}
         change={(value) => seekRoute(plan.id, value)} />
-      {mine && now && <p class="hint">{`Leg ${count(leg + 1)} of ${count(route.legs.length)}: ${DOES[now.kind]}.`}</p>}
+      {mine && now && <p class="hint">{t`Leg ${count(leg + 1)} of ${count(route.legs.length)}: ${DOES[now.kind]}.`}</p>}
       {mine && now && (
-        <Figures label="So far"
+        <Figures label={t`So far`}
           list={[
-            { label: 'Hours', value: clock(at) },
-            ...(plan.summary.whole_cost ? [{ label: 'Fuel so far', value: litres(fuel) }, { label: 'Machine and fuel', value: money(euros) }] : []),
+            { label: t`Hours`, value: clock(at) },
+            ...(plan.summary.whole_cost ? [{ label: t`Fuel so far`, value: litres(fuel) }, { label: t`Machine and fuel`, value: money(euros) }] : []),
           ]} />
       )}
     </div>

@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { attempt } from '../../actions/notices';
 import { planTheGaps } from '../../actions/repair';
-import { stopReplay } from '../../actions/replay';
+import { stopReplay } from '../../actions/play/replay';
 import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
 import { engine } from '../../map/engine_loader';
@@ -12,6 +12,7 @@ import { NumberField } from '../../parts/number_field';
 import { form } from '../../state/plan_form';
 import { review } from '../../state/review';
 import { useStore } from '../../state/store';
+import { t } from '../../words';
 
 const FEW = 8;
 
@@ -21,7 +22,7 @@ export function Gaps({ drive }: { drive: DriveFull }) {
   const list = [...drive.gaps].sort((a, b) => b.area_m2 - a.area_m2);
   return (
     <>
-      <h3>Gaps, the largest first</h3>
+      <h3>{t`Gaps, the largest first`}</h3>
       <ol class="gaps">
         {(all ? list : list.slice(0, FEW)).map((gap) => (
           <li key={gap.number}>
@@ -32,12 +33,12 @@ export function Gaps({ drive }: { drive: DriveFull }) {
                 engine()?.look([gap.lon, gap.lat], Math.max(gap.widest_m * 4, Math.sqrt(gap.area_m2) * 2));
               }}>
               <span class="gap-number">{gap.number}</span>
-              <span class="grow"><strong>{squareMetres(gap.area_m2)}</strong><span class="sub">at most {metres(gap.widest_m)} wide</span></span>
+              <span class="grow"><strong>{squareMetres(gap.area_m2)}</strong><span class="sub">{t`at most ${metres(gap.widest_m)} wide`}</span></span>
             </button>
           </li>
         ))}
       </ol>
-      {list.length > FEW && <Button kind="quiet" onClick={() => setAll(!all)}>{all ? 'Show the largest only' : `Show all ${list.length}`}</Button>}
+      {list.length > FEW && <Button kind="quiet" onClick={() => setAll(!all)}>{all ? t`Show the largest only` : t`Show all ${list.length}`}</Button>}
       <PlanGaps />
     </>
   );
@@ -49,14 +50,14 @@ function PlanGaps() {
   const set = (change: Partial<typeof machine>) => form.set({ machine: { ...form.get().machine, ...change } });
   return (
     <>
-      <Expander title="Machine and smallest gap">
+      <Expander title={t`Machine and smallest gap`}>
         <div class="two">
-          <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
-          <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
+          <NumberField label={t`Working width`} unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
+          <NumberField label={t`Turning radius`} unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
         </div>
-        <NumberField label="Ignore gaps smaller than" unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
+        <NumberField label={t`Ignore gaps smaller than`} unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
       </Expander>
-      <Button kind="main" onClick={() => void attempt(() => planTheGaps(least))}>Plan the gaps</Button>
+      <Button kind="main" onClick={() => void attempt(() => planTheGaps(least))}>{t`Plan the gaps`}</Button>
     </>
   );
 }

@@ -2,7 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { endFeed, runningFeeds, switchWork, watch } from '../../actions/feeds';
 import { attempt } from '../../actions/notices';
-import { attach, stopReplay } from '../../actions/replay';
+import { attach, stopReplay } from '../../actions/play/replay';
 import type { DriveOptions, FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
@@ -16,14 +16,15 @@ import { useStore } from '../../state/store';
 import { CabFigures } from './cab_figures';
 import { WorkNumbers } from './replay_bar';
 import { WorkForm } from './work_form';
+import { t } from '../../words';
 
 type Kind = 'tcp' | 'udp' | 'gpsd' | 'serial' | 'file';
 const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
-  tcp: { label: 'Network (TCP)', where: 'Host and port', example: '192.168.1.20:9000' },
-  udp: { label: 'Network (UDP)', where: 'Port', example: ':4001' },
-  gpsd: { label: 'gpsd', where: 'Host and port', example: 'localhost:2947' },
-  serial: { label: 'Serial port', where: 'Device and speed', example: '/dev/ttyUSB0,115200' },
-  file: { label: 'File being written', where: 'Path on the server’s computer', example: '/home/somebody/today.csv' },
+  tcp: { label: t`Network (TCP)`, where: t`Host and port`, example: '192.168.1.20:9000' },
+  udp: { label: t`Network (UDP)`, where: t`Port`, example: ':4001' },
+  gpsd: { label: 'gpsd', where: t`Host and port`, example: 'localhost:2947' },
+  serial: { label: t`Serial port`, where: t`Device and speed`, example: '/dev/ttyUSB0,115200' },
+  file: { label: t`File being written`, where: t`Path on the server’s computer`, example: '/home/somebody/today.csv' },
 };
 
 export function StartFeed() {
@@ -48,21 +49,21 @@ export function StartFeed() {
   return (
     <>
       {running.map((feed) => (
-        <div key={feed.id} class="row"><Button onClick={() => attach(feed)}>Watch {feed.name ?? feed.source ?? feed.id}</Button></div>
+        <div key={feed.id} class="row"><Button onClick={() => attach(feed)}>{t`Watch ${feed.name ?? feed.source ?? feed.id}`}</Button></div>
       ))}
-      <Expander title="Watch a machine at work">
+      <Expander title={t`Watch a machine at work`}>
         <form onSubmit={(event) => { event.preventDefault(); void attempt(go); }}>
-          <Select label="Connection" value={kind} change={setKind}
+          <Select label={t`Connection`} value={kind} change={setKind}
             options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: KINDS[value].label }))} />
           <label class="field">
             <span class="label">{asked}</span>
             <input type="text" autocomplete="off" placeholder={example} value={where} onInput={(event) => setWhere(event.currentTarget.value)} />
           </label>
-          <Select label="Field" value={field} change={setField}
-            options={[{ value: '', label: 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
-          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="If left empty: as the machine says." change={setWidth} />
+          <Select label={t`Field`} value={field} change={setField}
+            options={[{ value: '', label: t`none` }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
+          <NumberField label={t`Working width`} unit="m" value={width_m} least={0.2} most={100} optional hint={t`If left empty: as the machine says.`} change={setWidth} />
           <WorkForm options={options} change={setOptions} />
-          <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
+          <button type="submit" class="button main" disabled={where.trim() === ''}>{t`Watch it`}</button>
         </form>
       </Expander>
     </>
@@ -82,15 +83,15 @@ export function LiveFeed() {
     <section class="open" aria-labelledby="live-title">
       <h2 id="live-title">{state.name}</h2>
       <p class={state.connected ? 'fine' : 'fault'} role="status">
-        {state.message ?? (state.figures ? (state.working ? 'At work.' : 'Connected, not working.') : 'Waiting for the first fix …')}
+        {state.message ?? (state.figures ? (state.working ? t`At work.` : t`Connected, not working.`) : t`Waiting for the first fix …`)}
       </p>
       <CabFigures />
-      {state.figures && <WorkNumbers figures={state.figures} rest="Still to do" />}
-      <Switch on={state.follows} label="Keep the machine in the middle of the map" change={(follows) => replay.set({ follows })} />
+      {state.figures && <WorkNumbers figures={state.figures} rest={t`Still to do`} />}
+      <Switch on={state.follows} label={t`Keep the machine in the middle of the map`} change={(follows) => replay.set({ follows })} />
       <div class="row">
-        <Button onClick={() => void attempt(toggle)}>{work ? 'Mark as not working' : 'Mark as working again'}</Button>
-        <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>Stop and store the drive</Button>
-        <Button onClick={stopReplay}>Leave it running</Button>
+        <Button onClick={() => void attempt(toggle)}>{work ? t`Mark as not working` : t`Mark as working again`}</Button>
+        <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>{t`Stop and store the drive`}</Button>
+        <Button onClick={stopReplay}>{t`Leave it running`}</Button>
       </div>
     </section>
   );

@@ -14,6 +14,7 @@ import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 import { farFrom, fieldBelow, WhereDriven } from './where_driven';
 import { WorkForm } from './work_form';
+import { t } from '../../words';
 
 const NONE = '';
 
@@ -59,33 +60,33 @@ export function LogForm({ upload }: { upload: Upload }) {
       <h2 id="log-title">{upload.name}</h2>
       <WhereDriven bbox={bbox} open={open} chosen={list.find((one) => one.id === field)} below={below} go={(on) => { setField(on); void go(on); }} />
       {logs.length > 1 && (
-        <Select label={`Which of its ${logs.length} logs`} value={log} change={setLog}
-          options={logs.map((one) => ({ value: one.name, label: `${one.name}, ${count(one.fixes)} fixes` }))} />
+        <Select label={t`Which of its ${logs.length} logs`} value={log} change={setLog}
+          options={logs.map((one) => ({ value: one.name, label: t`${one.name}, ${count(one.fixes)} fixes` }))} />
       )}
       {chosen && (
         <p class="hint">
-          {`${count(chosen.fixes)} fixes`}
-          {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)} h`}
-          {timeOfDay(chosen.from_s) && `, from ${timeOfDay(chosen.from_s)}`}
-          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine works.'}
+          {t`${count(chosen.fixes)} fixes`}
+          {chosen.from_s !== null && chosen.to_s !== null && t` in ${clock(chosen.to_s - chosen.from_s)} h`}
+          {timeOfDay(chosen.from_s) && t`, from ${timeOfDay(chosen.from_s)}`}
+          {chosen.width_m !== null ? t`, ${width(chosen.width_m)} wide.` : t`. The log does not say how wide the machine works.`}
         </p>
       )}
-      <Select label="Field" value={field} change={setField}
-        hint={field === NONE ? (partfields > 0 ? 'The field in the task set is used.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
-        options={[{ value: NONE, label: partfields > 0 ? 'the one in the file' : 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
+      <Select label={t`Field`} value={field} change={setField}
+        hint={field === NONE ? (partfields > 0 ? t`The field in the task set is used.` : t`Without a field nothing can be missed: only what was worked is shown.`) : ''}
+        options={[{ value: NONE, label: partfields > 0 ? t`the one in the file` : t`none` }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
       {plansThere.length > 0 && (
-        <Select label="Plan that was followed" value={plan} change={setPlan}
+        <Select label={t`Plan that was followed`} value={plan} change={setPlan}
           options={[
-            { value: NONE, label: 'none' },
-            ...plansThere.map((one) => ({ value: one.id, label: `${one.name || 'Plan'} · ${when(one.created)} · ${width(one.width_m)} · ${money(one.cost)}` })),
+            { value: NONE, label: t`none` },
+            ...plansThere.map((one) => ({ value: one.id, label: `${one.name || t`Plan`} · ${when(one.created)} · ${width(one.width_m)} · ${money(one.cost)}` })),
           ]} />
       )}
-      <NumberField label="Working width" unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
-        hint={needsWidth ? '' : 'If left empty: as the log says.'} change={setWidth} />
+      <NumberField label={t`Working width`} unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
+        hint={needsWidth ? '' : t`If left empty: as the log says.`} change={setWidth} />
       <WorkForm options={options} change={setOptions} />
       <div class="row">
-        <Button kind="main" onClick={() => void go()}>Show what was worked</Button>
-        <Button onClick={() => review.set({ upload: null })}>Back</Button>
+        <Button kind="main" onClick={() => void go()}>{t`Show what was worked`}</Button>
+        <Button onClick={() => review.set({ upload: null })}>{t`Back`}</Button>
       </div>
     </section>
   );

@@ -12,6 +12,7 @@ import { TitleField } from '../../parts/title_field';
 import { Gaps } from './gaps';
 import { meshFigures, ReplayBar } from './replay_bar';
 import { WorkForm } from './work_form';
+import { t } from '../../words';
 
 export function OpenDrive({ drive }: { drive: DriveFull }) {
   const s = drive.summary;
@@ -19,16 +20,16 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
   return (
     <section class="open" aria-labelledby="drive-title">
       <h2 id="drive-title" class="unseen">{drive.name}</h2>
-      <TitleField key={drive.id} label="Name of the drive" value={drive.name} save={(name) => void attempt(() => renameDrive(drive.id, name))} />
-      <Figures label="The drive in numbers"
+      <TitleField key={drive.id} label={t`Name of the drive`} value={drive.name} save={(name) => void attempt(() => renameDrive(drive.id, name))} />
+      <Figures label={t`The drive in numbers`}
         list={[
-          { label: 'Covered', value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: `${percent(inside / s.field_area_m2)} of the field` } : {}) },
-          { label: 'Repeated', value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
-          { label: 'Missed', value: squareMetres(s.missed_m2), tone: 'uncovered', ...(s.field_area_m2 && s.missed_m2 !== null ? { change: percent(s.missed_m2 / s.field_area_m2) } : {}) },
-          ...(s.not_recorded_m2 ? [{ label: 'Not recorded', value: squareMetres(s.not_recorded_m2) }] : []),
-          { label: 'Time at work', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
-          { label: 'Outside the field', value: squareMetres(s.outside_m2) },
-          { label: 'Width', value: width(s.width_m), change: `${count(s.fixes_used)} fixes` },
+          { label: t`Covered`, value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: t`${percent(inside / s.field_area_m2)} of the field` } : {}) },
+          { label: t`Repeated`, value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
+          { label: t`Missed`, value: squareMetres(s.missed_m2), tone: 'uncovered', ...(s.field_area_m2 && s.missed_m2 !== null ? { change: percent(s.missed_m2 / s.field_area_m2) } : {}) },
+          ...(s.not_recorded_m2 ? [{ label: t`Not recorded`, value: squareMetres(s.not_recorded_m2) }] : []),
+          { label: t`Time at work`, value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
+          { label: t`Outside the field`, value: squareMetres(s.outside_m2) },
+          { label: t`Width`, value: width(s.width_m), change: t`${count(s.fixes_used)} fixes` },
           ...meshFigures(s.meshes),
         ]} />
       <WrongHeadings drive={drive} />
@@ -43,9 +44,9 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
 }
 
 const READINGS: Record<HeadingReading, string> = {
-  compass: 'Read them clockwise from north',
-  math: 'Read them anticlockwise from east',
-  'from-track': 'Take headings from the positions',
+  compass: t`Read them clockwise from north`,
+  math: t`Read them anticlockwise from east`,
+  'from-track': t`Take headings from the positions`,
 };
 
 /** Headings that cannot be right make every other figure wrong: the user is told before anything else. */
@@ -56,9 +57,8 @@ function WrongHeadings({ drive }: { drive: DriveFull }) {
     <div class="notice error" role="alert">
       <div class="grow">
         <p>
-          The headings in the log contradict the way driven: {count(found.off)} of {count(found.steps)} steps ({percent(found.share)}) are
-          more than 45° off, first at record {count(found.first.record)}.
-          {found.better === 'from-track' ? ' No reading of the angles fits.' : ` Read otherwise, all but ${count(found.better_off)} agree.`}
+          {t`The headings in the log contradict the way driven: ${count(found.off)} of ${count(found.steps)} steps (${percent(found.share)}) are more than 45° off, first at record ${count(found.first.record)}.`}
+          {found.better === 'from-track' ? t` No reading of the angles fits.` : t` Read otherwise, all but ${count(found.better_off)} agree.`}
         </p>
         <div class="row">
           <Button onClick={() => void attempt(() => evaluateAgain(drive, { ...drive.options, headings: found.better }))}>{READINGS[found.better]}</Button>
@@ -73,24 +73,24 @@ function WorkAgain({ drive }: { drive: DriveFull }) {
   return (
     <>
       <WorkForm options={options} change={setOptions} />
-      {options !== drive.options && <Button onClick={() => void attempt(() => evaluateAgain(drive, options))}>Work it out again</Button>}
+      {options !== drive.options && <Button onClick={() => void attempt(() => evaluateAgain(drive, options))}>{t`Work it out again`}</Button>}
     </>
   );
 }
 
 const PlannedDone = ({ compared: c }: { compared: Compared }) => (
   <>
-    <h3>Planned against done</h3>
+    <h3>{t`Planned against done`}</h3>
     <table class="differences">
       <tbody>
-        <tr><th scope="row">Planned land</th><td>{hectares(c.planned_m2)}</td></tr>
-        <tr><th scope="row">Planned, not worked</th><td>{squareMetres(c.planned_missed_m2)}</td></tr>
-        <tr><th scope="row">Worked, not planned</th><td>{squareMetres(c.unplanned_m2)}</td></tr>
-        {c.followed === false && <tr><th scope="row">The plan was not followed</th><td>{c.median_angle_deg != null ? `direction off by ${Math.round(c.median_angle_deg)}°` : ''}</td></tr>}
-        <tr><th scope="row">Driven along tracks</th><td>{length(c.along_tracks_m)}</td></tr>
-        <tr><th scope="row">Driven beside tracks</th><td>{length(c.beside_tracks_m)}</td></tr>
-        <tr><th scope="row">Distance from the track, mean</th><td>{metres(c.deviation_mean_m)}</td></tr>
-        <tr><th scope="row">Distance from the track, most</th><td>{metres(c.deviation_most_m)}</td></tr>
+        <tr><th scope="row">{t`Planned land`}</th><td>{hectares(c.planned_m2)}</td></tr>
+        <tr><th scope="row">{t`Planned, not worked`}</th><td>{squareMetres(c.planned_missed_m2)}</td></tr>
+        <tr><th scope="row">{t`Worked, not planned`}</th><td>{squareMetres(c.unplanned_m2)}</td></tr>
+        {c.followed === false && <tr><th scope="row">{t`The plan was not followed`}</th><td>{c.median_angle_deg != null ? t`direction off by ${Math.round(c.median_angle_deg)}°` : ''}</td></tr>}
+        <tr><th scope="row">{t`Driven along tracks`}</th><td>{length(c.along_tracks_m)}</td></tr>
+        <tr><th scope="row">{t`Driven beside tracks`}</th><td>{length(c.beside_tracks_m)}</td></tr>
+        <tr><th scope="row">{t`Distance from the track, mean`}</th><td>{metres(c.deviation_mean_m)}</td></tr>
+        <tr><th scope="row">{t`Distance from the track, most`}</th><td>{metres(c.deviation_most_m)}</td></tr>
       </tbody>
     </table>
   </>
@@ -100,9 +100,9 @@ function Remarks({ drive }: { drive: DriveFull }) {
   const { warnings = [], skipped_count = 0 } = drive.summary;
   if (warnings.length === 0 && skipped_count === 0) return null;
   return (
-    <Expander title="Remarks on the log">
+    <Expander title={t`Remarks on the log`}>
       <ul class="plain">
-        {skipped_count > 0 && <li>{plural(skipped_count, 'record')} could not be used.</li>}
+        {skipped_count > 0 && <li>{t`${plural(skipped_count, 'record')} could not be used.`}</li>}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
     </Expander>
@@ -111,14 +111,14 @@ function Remarks({ drive }: { drive: DriveFull }) {
 
 const FILES = [
   { format: 'gpkg', name: 'GeoPackage' },
-  { format: 'png', name: 'Picture' },
-  { format: 'svg', name: 'Drawing' },
-  { format: 'pdf', name: 'Sheet' },
-  { format: 'log', name: 'Log' },
+  { format: 'png', name: t`Picture` },
+  { format: 'svg', name: t`Drawing` },
+  { format: 'pdf', name: t`Sheet` },
+  { format: 'log', name: t`Log` },
 ];
 const DriveFiles = ({ id }: { id: string }) => (
   <>
-    <h3>Download</h3>
+    <h3>{t`Download`}</h3>
     <ul class="files short">
       {FILES.map(({ format, name }) => (
         <li key={format}><a class="file" href={driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>

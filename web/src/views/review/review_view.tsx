@@ -10,6 +10,7 @@ import { DriveList } from './drive_list';
 import { LiveFeed, StartFeed } from './live_feed';
 import { LogForm } from './log_form';
 import { OpenDrive } from './open_drive';
+import { t } from '../../words';
 
 export function ReviewView() {
   const busy = useStore(fields, (value) => value.busy);
@@ -18,7 +19,7 @@ export function ReviewView() {
   const job = useStore(review, (value) => value.job);
   const feed = useStore(replay, (value) => value.of === 'feed');
   if (feed) return <LiveFeed />;
-  const progress = job && <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
+  const progress = job && <Progress job={job} title={t`Working out the areas`} cancel={() => void attempt(cancelReview)} />;
   // The form stays as it was filled in, for when the job fails or is cancelled.
   if (upload) {
     return (
@@ -32,8 +33,8 @@ export function ReviewView() {
   return (
     <>
       {drive && <OpenDrive drive={drive} />}
-      <section aria-label="Bring a log">
-        <DropZone label="Choose the log of a machine" hint="or drop it here: CSV, NMEA, GPX, ISOXML (zipped)" busy={busy}
+      <section aria-label={t`Bring a log`}>
+        <DropZone label={t`Choose the log of a machine`} hint={t`or drop it here: CSV, NMEA, GPX, ISOXML (zipped)`} busy={busy}
           take={(files) => void attempt(() => takeLogFile(files))} />
         <StartFeed />
       </section>

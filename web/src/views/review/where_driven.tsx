@@ -3,6 +3,7 @@ import type { Box, FieldItem } from '../../api/types';
 import { farness } from '../../format';
 import { apart_m, shared } from '../../map/boxes';
 import { Button } from '../../parts/button';
+import { t } from '../../words';
 
 /** The stored field that shares most with where a log was driven. */
 export function fieldBelow(bbox: Box | null, list: readonly FieldItem[]): FieldItem | null {
@@ -37,10 +38,10 @@ export function WhereDriven({ bbox, open, chosen, below, go }: Props) {
     return (
       <div class="notice error" role="alert">
         <div class="grow">
-          <p>This log was not driven on {chosen.name}, but {farness(far_m)} away from it. {below ? `It was driven on ${below.name}.` : 'None of your fields lies there: add that field first, or go on without one.'}</p>
+          <p>{t`This log was not driven on ${chosen.name}, but ${farness(far_m)} away from it.`} {below ? t`It was driven on ${below.name}.` : t`None of your fields lies there: add that field first, or go on without one.`}</p>
           <div class="row">
-            {below && <Button onClick={() => go(below.id)}>Show it on {below.name}</Button>}
-            <Button onClick={() => go('')}>Show it without a field</Button>
+            {below && <Button onClick={() => go(below.id)}>{t`Show it on ${below.name}`}</Button>}
+            <Button onClick={() => go('')}>{t`Show it without a field`}</Button>
           </div>
         </div>
       </div>
@@ -50,7 +51,7 @@ export function WhereDriven({ bbox, open, chosen, below, go }: Props) {
   if (open && openFar_m !== null && chosen?.id !== open.id) {
     return (
       <p class="notice told">
-        This log was not driven on {open.name}, which is open, but {farness(openFar_m)} away from it. {chosen ? `It was driven on ${chosen.name}, which is chosen below.` : 'None of your fields lies there, so none is chosen below.'}
+        {t`This log was not driven on ${open.name}, which is open, but ${farness(openFar_m)} away from it.`} {chosen ? t`It was driven on ${chosen.name}, which is chosen below.` : t`None of your fields lies there, so none is chosen below.`}
       </p>
     );
   }

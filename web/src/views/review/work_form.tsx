@@ -3,6 +3,7 @@ import type { DriveOptions } from '../../api/types';
 import { Choice, Select } from '../../parts/choice';
 import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
+import { t } from '../../words';
 
 /** What the server takes where nothing is said (docs/coverage.md). */
 const MESH_M = 0.05;
@@ -28,35 +29,35 @@ export function WorkForm({ options, change }: Props) {
     </label>
   );
   return (
-    <Expander title="How the land is worked out">
-      <Choice label="Areas" value={options.engine ?? 'exact'} change={(engine) => set({ engine })}
-        options={[{ value: 'exact', label: 'Exact' }, { value: 'mesh', label: 'By meshes' }]}
-        hint={options.engine === 'mesh' ? 'Boundaries are rounded to squares of this side, as in Zhang et al. 2023.' : ''} />
+    <Expander title={t`How the land is worked out`}>
+      <Choice label={t`Areas`} value={options.engine ?? 'exact'} change={(engine) => set({ engine })}
+        options={[{ value: 'exact', label: t`Exact` }, { value: 'mesh', label: t`By meshes` }]}
+        hint={options.engine === 'mesh' ? t`Boundaries are rounded to squares of this side, as in Zhang et al. 2023.` : ''} />
       {options.engine === 'mesh' && (
-        <NumberField label="Side of a mesh" unit="m" value={options.mesh_m ?? MESH_M} least={0.005} most={1}
+        <NumberField label={t`Side of a mesh`} unit="m" value={options.mesh_m ?? MESH_M} least={0.005} most={1}
           change={(mesh_m) => mesh_m !== null && set({ mesh_m })} />
       )}
-      <Select label="Land between two fixes" value={options.quads ?? 'heading'} change={(quads) => set({ quads })}
-        options={[{ value: 'heading', label: 'square to the heading at both' }, { value: 'segment', label: 'a rectangle along the way' }]} />
-      <Select label="Counts as repeated" value={options.repeat ?? 'run'} change={(repeat) => set({ repeat })}
-        options={[{ value: 'run', label: 'land worked again, not the inside of bends' }, { value: 'strict', label: 'all land worked twice or more' }]} />
-      <Select label="Headings in the log" value={options.headings ?? 'compass'} change={(headings) => set({ headings })}
+      <Select label={t`Land between two fixes`} value={options.quads ?? 'heading'} change={(quads) => set({ quads })}
+        options={[{ value: 'heading', label: t`square to the heading at both` }, { value: 'segment', label: t`a rectangle along the way` }]} />
+      <Select label={t`Counts as repeated`} value={options.repeat ?? 'run'} change={(repeat) => set({ repeat })}
+        options={[{ value: 'run', label: t`land worked again, not the inside of bends` }, { value: 'strict', label: t`all land worked twice or more` }]} />
+      <Select label={t`Headings in the log`} value={options.headings ?? 'compass'} change={(headings) => set({ headings })}
         options={[
-          { value: 'compass', label: 'clockwise from north' },
-          { value: 'math', label: 'anticlockwise from east' },
-          { value: 'from-track', label: 'not used: taken from the positions' },
+          { value: 'compass', label: t`clockwise from north` },
+          { value: 'math', label: t`anticlockwise from east` },
+          { value: 'from-track', label: t`not used: taken from the positions` },
         ]} />
-      <Select label="Work switches" value={options.switch ?? 'interpolate'} change={(value) => set({ switch: value })}
-        options={[{ value: 'interpolate', label: 'half way between two fixes' }, { value: 'step', label: 'at the second of two fixes' }]} />
+      <Select label={t`Work switches`} value={options.switch ?? 'interpolate'} change={(value) => set({ switch: value })}
+        options={[{ value: 'interpolate', label: t`half way between two fixes` }, { value: 'step', label: t`at the second of two fixes` }]} />
       <div class="two">
-        {metres('antenna_forward_m', 'Antenna in front')}
-        {metres('antenna_right_m', 'Antenna to the right')}
-        {metres('implement_behind_m', 'Implement behind')}
-        {most('max_gap_s', 'Longest gap', 's')}
-        {most('max_step_m', 'Longest step', 'm')}
+        {metres('antenna_forward_m', t`Antenna in front`)}
+        {metres('antenna_right_m', t`Antenna to the right`)}
+        {metres('implement_behind_m', t`Implement behind`)}
+        {most('max_gap_s', t`Longest gap`, 's')}
+        {most('max_step_m', t`Longest step`, 'm')}
       </div>
-      {text('columns', 'Columns of the log', 'lon=Xcoord,lat=Ycoord')}
-      {text('log_crs', 'Coordinate system of the log', 'EPSG:25832')}
+      {text('columns', t`Columns of the log`, 'lon=Xcoord,lat=Ycoord')}
+      {text('log_crs', t`Coordinate system of the log`, 'EPSG:25832')}
     </Expander>
   );
 }

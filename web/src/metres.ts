@@ -1,6 +1,7 @@
 // Metres about a place, for what is drawn on the screen: grid, scale bar, drawing by metres. Good to a part
 // in a thousand over a few kilometres; the library's own planes are what counts.
-import type { Place } from '../api/types';
+import type { Place } from './api/types';
+import { unitOf } from './measures';
 
 const A = 6378137;
 const E2 = 0.00669437999014;
@@ -30,8 +31,13 @@ export function bearing(from: Place, to: Place): number {
   return ((Math.atan2(east, north) / RAD) % 360 + 360) % 360;
 }
 
-/** 1, 2 or 5 times a power of ten, at least `least`. */
-export function roundStep(least: number): number {
+/** 1, 2 or 5 times a power of ten of the reader's metres or feet, at least `least_m`. */
+export function roundStep_m(least_m: number): number {
+  const { size } = unitOf('m');
+  return roundStep(least_m / size) * size;
+}
+
+function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((n) => n * power).find((step) => step >= least) ?? 10 * power;
 }

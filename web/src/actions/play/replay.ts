@@ -1,11 +1,13 @@
 // Running a stream of work. Frames go to whoever draws them; the figures go into the store.
-import { feedEvents, replayEvents } from '../api/addresses';
-import { api } from '../api/client';
-import { AWAY } from '../api/errors';
-import { openStream, type Stream } from '../api/event_stream';
-import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../api/types';
-import { replay } from '../state/replay';
-import { complain } from './notices';
+import { feedEvents, replayEvents } from '../../api/addresses';
+import { api } from '../../api/client';
+import { AWAY } from '../../api/errors';
+import { openStream, type Stream } from '../../api/event_stream';
+import type { DriveFull, FeedItem, Place, WorkFigures, WorkFrame } from '../../api/types';
+import { distance } from '../../metres';
+import { replay } from '../../state/replay';
+import { complain } from '../notices';
+import { t } from '../../words';
 
 type Draw = (frame: WorkFrame | null) => void;
 let draw: Draw = () => {};
@@ -20,21 +22,19 @@ function shut(): void {
   stream = null;
 }
 
-const DEGREE_M = 111_320;
 /** By the last two frames; as before where they are too near in time. */
 function speedBetween(last: { at: Place | null; time_s: number | null; speed_mps: number | null }, now: WorkFrame): number | null {
   if (!last.at || !now.at || last.time_s === null || now.time_s === null) return null;
   const passed_s = now.time_s - last.time_s;
   if (passed_s < 0.05) return passed_s < 0 ? null : last.speed_mps;
-  const east = (now.at[0] - last.at[0]) * DEGREE_M * Math.cos((now.at[1] * Math.PI) / 180);
-  return Math.hypot(east, (now.at[1] - last.at[1]) * DEGREE_M) / passed_s;
+  return distance(last.at, now.at) / passed_s;
 }
 
 function take(frame: WorkFrame): void {
   draw(frame);
-  const { time_s, fix, fixes, working, figures, at, heading_deg } = frame;
+  const { time_s, fix, fixes, working, figures, at, heading_deg, quality = null } = frame;
   const speed_mps = speedBetween(replay.get(), frame);
-  replay.set({ time_s, fix, fixes, working, figures, at, heading_deg, speed_mps });
+  replay.set({ time_s, fix, fixes, working, figures, at, heading_deg, speed_mps, quality });
 }
 
 const times = (drive: DriveFull) => {
@@ -60,7 +60,7 @@ function run(drive: string, at_s: number, only: boolean): void {
     shut();
     if (!replay.get().playing) return;
     replay.set({ playing: false });
-    complain('The replay was interrupted. Press Play to continue from here.');
+    complain(t`The replay was interrupted. Press Play to continue from here.`);
   });
 }
 
@@ -95,7 +95,7 @@ export function attach(feed: FeedItem): void {
   draw(null);
   replay.set({
     of: 'feed', id: feed.id, name: feed.name ?? feed.source ?? feed.id, playing: true, figures: null, time_s: null,
-    fix: 0, fixes: 0, message: null, connected: true, at: null, speed_mps: null,
+    fix: 0, fixes: 0, message: null, connected: true, at: null, speed_mps: null, quality: null,
   });
   const frame = (data: WorkFrame) => take(data);
   const state = (data: { message: string; connected: boolean }) => replay.set({ message: data.message, connected: data.connected });

@@ -1,6 +1,6 @@
 // Driving a route on the screen.
-import type { Route } from '../api/types';
-import { routePlay } from '../state/route_play';
+import type { Route } from '../../api/types';
+import { routePlay } from '../../state/route_play';
 
 let frame = 0;
 let before_ms = 0;

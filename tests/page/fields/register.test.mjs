@@ -3,10 +3,10 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { flow, realFile } from './support/flow.mjs';
-import { clickMap, drawn, goTo, mapSettled, panel } from './support/page.mjs';
-import { ask, polygonOf, smallField } from './support/stored.mjs';
-import { example } from './support/server.mjs';
+import { flow, realFile } from '../support/flow.mjs';
+import { clickMap, drawn, goTo, mapSettled, panel } from '../support/page.mjs';
+import { ask, polygonOf, smallField } from '../support/stored.mjs';
+import { example } from '../support/server.mjs';
 
 /** 39,200 with TRAMLINE_LONG, as many as a district has; else enough for the same road through the page. */
 const MANY = process.env.TRAMLINE_LONG ? 39_200 : 3_000;

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { flow } from './support/flow.mjs';
-import { clickMap, drawn, panel, still } from './support/page.mjs';
-import { ask, polygonOf } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { clickMap, drawn, panel, still } from '../support/page.mjs';
+import { ask, polygonOf } from '../support/stored.mjs';
 
 const CROPS = ['barley', 'wheat', 'barley', 'oats'];
 const feature = (i, west, south) => ({ type: 'Feature', properties: { name: `field ${i}`, crop: CROPS[i % 4] }, geometry: polygonOf('slant', west, south) });

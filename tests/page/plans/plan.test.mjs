@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
-import { flow, realFile } from './support/flow.mjs';
-import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, planTracks, visible } from './support/page.mjs';
-import { example, tramline } from './support/server.mjs';
+import { flow, realFile } from '../support/flow.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, planTracks, visible } from '../support/page.mjs';
+import { example, tramline } from '../support/server.mjs';
 
 const check = (file, field) => execFileSync(tramline, ['check', file, ...(field ? ['--field', field] : [])], { encoding: 'utf8' });
 

@@ -1,8 +1,8 @@
 // A field and an obstacle drawn on the map, with the pointer and by numbers.
 import assert from 'node:assert/strict';
-import { flow } from './support/flow.mjs';
-import { clickMap, drawn, figure, goTo, makePlan, openField, panel, planTracks, still } from './support/page.mjs';
-import { ask, smallField } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, openField, panel, planTracks, still } from '../support/page.mjs';
+import { ask, polygonOf, smallField } from '../support/stored.mjs';
 
 flow('draw a field and an obstacle, then plan', {}, async ({ page }) => {
   await page.getByRole('button', { name: 'Draw a field' }).click();
@@ -110,7 +110,6 @@ flow('a boundary is changed later, and plans of the earlier shape are marked', {
   await page.getByText('1 obstacle').first().waitFor();
   await planTracks(page);
   await makePlan(page);
-  await page.waitForTimeout(1100); // times are kept in seconds
   await goTo(page, 'Fields');
   await page.getByRole('button', { name: 'Change the boundary' }).click();
   const [before] = await ask(server, '/fields');
@@ -126,4 +125,17 @@ flow('a boundary is changed later, and plans of the earlier shape are marked', {
   await page.getByText('of an earlier shape of the field').first().waitFor();
   await page.locator('.cards .card').first().click();
   await page.getByText('Plan again before you drive.').waitFor();
+
+  // The corner goes back to where it was: the plan is of this shape again.
+  await goTo(page, 'Fields');
+  await page.getByRole('button', { name: 'Change the boundary' }).click();
+  await page.locator('.drawing-bar').waitFor();
+  const shape = polygonOf('slant');
+  const [{ id }] = await ask(server, '/fields');
+  await page.locator('.drawing-bar').getByRole('button', { name: 'Cancel' }).click();
+  await fetch(`${server.address}/api/v1/fields/${id}`, { method: 'PATCH', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ boundary: shape }) });
+  await page.reload();
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+  const [plan] = await ask(server, `/plans?field=${id}`);
+  assert.equal(plan.earlier_shape, false);
 });

@@ -1,8 +1,8 @@
 // The trade-off with figures that a chart can stumble over, and comparisons of plans that leave something open.
 import assert from 'node:assert/strict';
-import { flow } from './support/flow.mjs';
-import { goTo, makePlan, newPlan, openField, panel, planTracks } from './support/page.mjs';
-import { ask, openId, smallField } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { goTo, makePlan, newPlan, openField, panel, planTracks } from '../support/page.mjs';
+import { ask, openId, smallField } from '../support/stored.mjs';
 
 const point = (number, overlap_m2, uncovered_m2, turns = number) =>
   ({ point: number, overlap_m2, uncovered_m2, turns, stops: 0, cost: overlap_m2, tracks: 5, track_length_m: 500, subfields: 1, direction_deg: [10], marks: [] });
@@ -18,7 +18,9 @@ const FRONTS = {
 const picture = (page) =>
   page.locator('.chart svg').evaluate((svg) => ({
     bad: [...svg.querySelectorAll('*')].flatMap((part) => [...part.attributes]).filter(({ value }) => /NaN|Infinity/.test(value)).map(({ name, value }) => `${name}=${value}`),
-    dots: [...svg.querySelectorAll('.dot .seen')].map((dot) => [Number(dot.getAttribute('cx')), Number(dot.getAttribute('cy'))]),
+    // By the number of the plan: they are drawn in another order.
+    dots: [...svg.querySelectorAll('.dot')].map((dot) => ({ plan: Number(/^Plan (\d+):/.exec(dot.getAttribute('aria-label'))[1]), seen: dot.querySelector('.seen') }))
+      .sort((a, b) => a.plan - b.plan).map(({ seen }) => [Number(seen.getAttribute('cx')), Number(seen.getAttribute('cy'))]),
     box: [svg.viewBox.baseVal.width, svg.viewBox.baseVal.height],
   }));
 
@@ -43,6 +45,11 @@ flow('the chart stands zeros, rounding below zero, one plan and two hundred', {}
       const different = new Set(points.map((one) => Math.round(one[key]))).size;
       const apart = new Set(dots.map((dot) => dot[axis].toFixed(2))).size;
       assert.ok(apart >= Math.min(different, 3), `${name}: ${apart} places for ${different} values of ${key}`);
+      // More lies farther to the right, and higher up.
+      const sign = axis === 0 ? 1 : -1;
+      points.forEach((a, i) => points.forEach((b, j) => {
+        if (a[key] < b[key]) assert.ok(sign * dots[i][axis] <= sign * dots[j][axis] + 1e-6, `${name}: plan ${a.point} lies beyond plan ${b.point}`);
+      }));
     }
   }
 });

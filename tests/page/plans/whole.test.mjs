@@ -1,8 +1,8 @@
 // The whole job: what is planned where nobody chooses, in hours, litres and euros.
 import assert from 'node:assert/strict';
-import { flow } from './support/flow.mjs';
-import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
-import { ask, openId, smallField } from './support/stored.mjs';
+import { flow } from '../support/flow.mjs';
+import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from '../support/page.mjs';
+import { ask, openId, smallField } from '../support/stored.mjs';
 
 
 const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b} ± ${by}`);
