@@ -39,7 +39,7 @@ Region swaths_of_detours(const Plan& plan) {
 }
 
 /// The swaths of straight pieces without their detours.
-Region straight_parts_of(const Plan& plan) {
+Region rectangles_of(const Plan& plan) {
   Region out;
   for (const TrackPiece& piece : plan.pieces)
     for (const PathSegment& part : straight_parts(piece))
@@ -48,10 +48,10 @@ Region straight_parts_of(const Plan& plan) {
 }
 
 /// As of any plan, in fewer booleans: many detours round one obstacle meet one another and all tracks there.
-TrackGround straight_ground(const Plan& plan, const std::vector<LaidTracks>& tracks) {
+TrackGround ground_of_rows(const Plan& plan, const std::vector<LaidTracks>& tracks) {
   TrackGround out;
   for (const LaidTracks& rows : tracks) out.regions.push_back(worked_rows(rows));
-  out.doubled = common_to_two(straight_parts_of(plan));
+  out.doubled = common_to_two(rectangles_of(plan));
   SwathUnion detours = swath_union(swaths_of_detours(plan));
   for (const Region& rows : out.regions) out.also_doubled.push_back(common_land(rows, detours.all));
   out.also_doubled.push_back(std::move(detours.doubled));
@@ -86,7 +86,7 @@ TrackGround track_ground(const Plan& plan, const Candidate& candidate) {
         swaths.push_back(std::move(part));
     return {{*candidate.worked}, common_to_two(swaths)};
   }
-  if (!is_curved(plan)) return straight_ground(plan, candidate.avoided.tracks);
+  if (!is_curved(plan)) return ground_of_rows(plan, candidate.avoided.tracks);
   return {worked_grounds(plan, candidate), doubled_ground(plan)};
 }
 
