@@ -1,12 +1,15 @@
 // Plans every curated real field on one thread and says what each took and what came of it.
 //
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
+//              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
 //
-// --all 1: every field of the registers instead; --every N: each N-th only.
-// A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
-// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
-// that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
-// does; the last line has how many fields a second of processor time holds.
+// --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
+// obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
+// thresholds of his comparisons. A line for every field, tab-separated: id, hectares, corners, obstacles,
+// processor time in ms, cost, bound, cost and bound of undivided plans, directions tried, and a sum over
+// every number of the plan's tracks, so that two builds can be compared by `diff` but for the times. Fields
+// are planned side by side, as best_real does; the last lines have the quantiles of groups of fields, and how
+// many fields a second of processor time holds.
 
 #include <fmt/format.h>
 
@@ -20,6 +23,7 @@
 #include <vector>
 
 #include "real/real_fields.h"
+#include "real/spread.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
 
@@ -34,11 +38,16 @@ struct Request {
   int repeat = 1;
   bool all = false;
   int every = 1;
+  Objective prices{};
+  bool sweep = false;
+  bool with_obstacles = false;
 };
 
 struct Timed {
   std::string row;
   double seconds = 0;
+  double hectares = 0;
+  std::size_t corners = 0, obstacles = 0;
 };
 
 double thread_seconds() {
@@ -83,17 +92,26 @@ std::size_t corners_of(const Field& field) {
 
 Timed timed(const Field& field, const Request& request) {
   if (!request.only.empty() && field.id != request.only) return {};
+  if (request.with_obstacles && field.obstacles.empty()) return {};
   Timed out;
+  out.hectares = 1e-4 * area(Polygon{field.outer, {}});
+  out.corners = corners_of(field);
+  out.obstacles = field.obstacles.size();
   PlanSettings settings;
   settings.headlands = request.headlands;
   if (request.curved) settings.shape = TrackShape::kAuto;
-  const std::string head = fmt::format("{}\t{:.2f}\t{}\t{}", field.id, 1e-4 * area(Polygon{field.outer, {}}),
-                                       corners_of(field), field.obstacles.size());
+  if (request.sweep) {
+    settings.strategy = Strategy::kSweep;
+    settings.merge_threshold = Angle::degrees(15);
+    settings.decomposition_threshold = Angle::degrees(205);
+  }
+  const std::string head =
+      fmt::format("{}\t{:.2f}\t{}\t{}", field.id, out.hectares, out.corners, out.obstacles);
   const double start = thread_seconds();
   try {
     Plan plan;
     for (int i = 0; i < request.repeat; ++i)
-      plan = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
+      plan = plan_field(field, {"", request.width_m, 6, -1}, request.prices, settings, 1);
     out.seconds = (thread_seconds() - start) / request.repeat;
     out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
                           1e3 * out.seconds, plan.cost, plan.proof.bound, plan.proof.one_direction_cost,
@@ -112,6 +130,41 @@ void keep_every(int step, std::vector<RawFeature>& features) {
   features = std::move(kept);
 }
 
+/// Five numbers with commas between them.
+Objective prices_in(const char* words) {
+  Objective out;
+  for (double* price : {&out.overlap, &out.uncovered, &out.turn, &out.stop, &out.subfield}) {
+    char* end = nullptr;
+    *price = std::strtod(words, &end);
+    words = *end == ',' ? end + 1 : end;
+  }
+  return out;
+}
+
+template <class IsOne>
+void print_group(const char* what, const std::vector<Timed>& all, const IsOne& is_one) {
+  std::vector<double> ms;
+  for (const Timed& one : all)
+    if (!one.row.empty() && is_one(one)) ms.push_back(1e3 * one.seconds);
+  if (!ms.empty())
+    fmt::print("# {}: {} fields, median {:.1f} ms, nine tenths {:.1f}, most {:.1f}\n", what, ms.size(),
+               median(ms), quantile(ms, 0.9), quantile(ms, 1));
+}
+
+void print_groups(const std::vector<Timed>& all) {
+  const auto small = [](const Timed& one) { return one.hectares <= 20 && one.corners <= 150; };
+  print_group("all", all, [](const Timed&) { return true; });
+  print_group("to 20 ha and 150 corners, no obstacle", all,
+              [&](const Timed& one) { return small(one) && one.obstacles == 0; });
+  print_group("to 20 ha and 150 corners, 1 to 3 obstacles", all,
+              [&](const Timed& one) { return small(one) && one.obstacles >= 1 && one.obstacles <= 3; });
+  print_group("to 20 ha and 150 corners, to 3 obstacles", all,
+              [&](const Timed& one) { return small(one) && one.obstacles <= 3; });
+  print_group("10 to 75 ha, 1 to 6 obstacles", all, [](const Timed& one) {
+    return one.hectares >= 10 && one.hectares <= 75 && one.obstacles >= 1 && one.obstacles <= 6;
+  });
+}
+
 int run(int argc, char** argv) {
   Request request;
   for (int i = 1; i + 1 < argc; i += 2) {
@@ -123,6 +176,10 @@ int run(int argc, char** argv) {
     if (word == "--every") request.every = std::max(1, std::atoi(argv[i + 1]));
     if (word == "--only") request.only = argv[i + 1];
     if (word == "--repeat") request.repeat = std::atoi(argv[i + 1]);
+    if (word == "--scenario") request.prices = scenario(std::atoi(argv[i + 1]));
+    if (word == "--prices") request.prices = prices_in(argv[i + 1]);
+    if (word == "--sweep") request.sweep = std::atoi(argv[i + 1]) != 0;
+    if (word == "--obstacles") request.with_obstacles = std::atoi(argv[i + 1]) != 0;
   }
   auto fields = request.all ? read_all_real_fields() : read_real_fields();
   if (!fields) {
@@ -140,6 +197,7 @@ int run(int argc, char** argv) {
     seconds += one.seconds;
     ++count;
   }
+  print_groups(all);
   fmt::print("# {} fields in {:.2f} s of processor time: {:.1f} a second on one core\n", count, seconds,
              count / seconds);
   return 0;

@@ -45,8 +45,12 @@ std::vector<ConvexSet> all_swaths(const LaidTracks& tracks) {
 double newly_covered(const RingSet& host_inside, const ConvexSet& visitor, const std::vector<ConvexSet>& own,
                      const std::vector<ConvexSet>& visitors, std::size_t next) {
   std::vector<ConvexSet> others;
+  // The box of a slanting visitor meets most swaths of the host, and what it has of the host only a few.
+  Box reach;
+  for (const Ring& ring : host_inside) reach.extend(bounds(ring));
   const auto add = [&](const ConvexSet& other) {
-    if (intersects(other.box, visitor.box)) others.push_back(common(other, visitor));
+    if (intersects(other.box, visitor.box) && intersects(other.box, reach))
+      others.push_back(common(other, visitor));
   };
   for (const ConvexSet& swath : own) add(swath);
   for (std::size_t i = next; i < visitors.size(); ++i) add(visitors[i]);

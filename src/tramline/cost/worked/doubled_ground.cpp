@@ -6,6 +6,7 @@
 
 #include "tramline/cost/worked/worked_regions.h"
 #include "tramline/geometry/index/box_grid.h"
+#include "tramline/geometry/path/band_on_circles.h"
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
@@ -93,7 +94,7 @@ bool has_several_curves(const Plan& plan) {
 bool is_sliver(const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); }
 
 void append_swath(const Path& path, double width_m, Region& out) {
-  Polygon swath{band(path, width_m, kLayerSagitta), {}};
+  Polygon swath{band_on_circles(path, width_m, kLayerSagitta), {}};
   if (!find_invalidity(swath))
     out.push_back(std::move(swath));
   else

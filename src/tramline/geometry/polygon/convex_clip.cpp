@@ -7,10 +7,9 @@ namespace tramline {
 namespace {
 
 /// Keeps what lies left of the line a → b.
-Ring clipped_by_line(const Ring& ring, Point a, Point b) {
-  Ring out;
-  if (ring.empty()) return out;
-  out.reserve(ring.size() + 4);
+void clip_by_line(const Ring& ring, Point a, Point b, Ring& out) {
+  out.clear();
+  if (ring.empty()) return;
   const Point direction = b - a;
   Point previous = ring.back();
   double previous_side = cross(direction, previous - a);
@@ -24,15 +23,19 @@ Ring clipped_by_line(const Ring& ring, Point a, Point b) {
     previous = current;
     previous_side = side;
   }
-  return out;
 }
 
-Ring clipped_by_set(Ring ring, const ConvexSet& set) {
+/// The ring within all edges of the set. Refers to storage that the next call reuses: searches clip too often
+/// for a ring of its own at every edge.
+const Ring& clipped_by_set(const Ring& ring, const ConvexSet& set) {
+  thread_local Ring now, next;
+  now.assign(ring.begin(), ring.end());
   for (const ConvexSet::Edge& edge : set.edges) {
-    if (ring.empty()) break;
-    ring = clipped_by_line(ring, edge.from, edge.to);
+    if (now.empty()) break;
+    clip_by_line(now, edge.from, edge.to, next);
+    now.swap(next);
   }
-  return ring;
+  return now;
 }
 
 }  // namespace
@@ -46,7 +49,9 @@ ConvexSet convex_set(const Ring& ring) {
 }
 
 ConvexSet common(const ConvexSet& a, const ConvexSet& b) {
-  ConvexSet set = a;
+  ConvexSet set;
+  set.edges.reserve(a.edges.size() + b.edges.size());
+  set.edges.insert(set.edges.end(), a.edges.begin(), a.edges.end());
   set.edges.insert(set.edges.end(), b.edges.begin(), b.edges.end());
   set.box = {std::max(a.box.min_x, b.box.min_x), std::max(a.box.min_y, b.box.min_y),
              std::min(a.box.max_x, b.box.max_x), std::min(a.box.max_y, b.box.max_y)};
@@ -57,15 +62,14 @@ RingSet clipped(const RingSet& rings, const ConvexSet& set) {
   RingSet out;
   for (const Ring& ring : rings) {
     if (!intersects(bounds(ring), set.box)) continue;
-    Ring part = clipped_by_set(ring, set);
-    if (part.size() >= 3) out.push_back(std::move(part));
+    if (const Ring& part = clipped_by_set(ring, set); part.size() >= 3) out.push_back(part);
   }
   return out;
 }
 
 Ring convex_intersection(const Ring& a, const Ring& b) {
   if (!intersects(bounds(a), bounds(b))) return {};
-  Ring out = clipped_by_set(a, convex_set(b));
+  const Ring& out = clipped_by_set(a, convex_set(b));
   return out.size() >= 3 ? out : Ring{};
 }
 

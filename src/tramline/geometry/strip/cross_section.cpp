@@ -35,9 +35,11 @@ Intervals where_at_least(const StripProfile& profile, double width_m) {
 
 double area_between(const StripProfile& profile, double from, double to) {
   double sum = 0;
-  for (const Slab& slab : profile.slabs) {
-    const double lo = std::max(from, slab.from), hi = std::min(to, slab.to);
-    if (lo < hi) sum += 0.5 * (slab.width_at(lo) + slab.width_at(hi)) * (hi - lo);
+  auto slab = std::partition_point(profile.slabs.begin(), profile.slabs.end(),
+                                   [from](const Slab& below) { return below.to <= from; });
+  for (; slab != profile.slabs.end() && slab->from < to; ++slab) {
+    const double lo = std::max(from, slab->from), hi = std::min(to, slab->to);
+    if (lo < hi) sum += 0.5 * (slab->width_at(lo) + slab->width_at(hi)) * (hi - lo);
   }
   return sum;
 }

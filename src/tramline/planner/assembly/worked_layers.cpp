@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tramline/cost/worked/doubled_ground.h"
+#include "tramline/cost/worked/swath_union.h"
 #include "tramline/cost/worked/worked_regions.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/profile/path_profile.h"
@@ -15,12 +16,6 @@ namespace {
 
 Region land_of(const Plan& plan) { return plan.headland.ground.empty() ? plan.body : body_of(plan.field); }
 
-void append_common(const Region& a, const Region& b, Region& out) {
-  if (!intersects(bounds(a), bounds(b))) return;
-  for (Polygon& both : intersection(a, b))
-    if (!is_sliver(both)) out.push_back(std::move(both));
-}
-
 /// Adds the passes of the headland to the land worked, and to the land worked twice.
 void add_passes(const Plan& plan, TrackGround& all) {
   for (const HeadlandPass& pass : plan.headland.passes) {
@@ -29,7 +24,7 @@ void add_passes(const Plan& plan, TrackGround& all) {
       for (Polygon& both : common_to_two(parts))
         if (!is_sliver(both)) all.doubled.push_back(std::move(both));
     Region ground = unite(parts);
-    for (const Region& other : all.regions) append_common(ground, other, all.doubled);
+    for (const Region& other : all.regions) all.also_doubled.push_back(common_land(ground, other));
     all.regions.push_back(std::move(ground));
   }
 }
@@ -51,16 +46,14 @@ void add_layers(Plan& plan, TrackGround tracks) {
   add_passes(plan, tracks);
   const Region land = land_of(plan);
   const EdgeIndex edges(land);
-  Region worked;
-  for (const Region& ground : tracks.regions) {
-    worked.insert(worked.end(), ground.begin(), ground.end());
-    for (Polygon& part : difference(reaching_out(ground, edges), land))
-      tracks.doubled.push_back(std::move(part));
-  }
+  std::vector<Region> overlap = std::move(tracks.also_doubled);
+  overlap.push_back(unite(tracks.doubled));
+  for (const Region& ground : tracks.regions)
+    overlap.push_back(difference(reaching_out(ground, edges), land));
+  plan.overlap = united_regions(std::move(overlap));
   // In one go: taken away one by one, swaths leave thousands of slivers between the chords of their arcs.
-  plan.uncovered = difference(land, unite(worked));
+  plan.uncovered = difference(land, united_regions(std::move(tracks.regions)));
   std::erase_if(plan.uncovered, is_sliver);
-  plan.overlap = unite(tracks.doubled);
 }
 
 }  // namespace tramline

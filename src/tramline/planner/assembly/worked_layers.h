@@ -11,7 +11,8 @@ namespace tramline {
 struct TrackGround {
   /// Together they cover all that the swaths do; polygons of one region do not overlap.
   std::vector<Region> regions;
-  Region doubled;  ///< land that more than one region covers; its polygons may overlap
+  Region doubled;                      ///< land that more than one region covers; its polygons may overlap
+  std::vector<Region> also_doubled{};  ///< more such land; polygons of one region do not overlap
 };
 
 /// Sets the layers Plan::overlap and Plan::uncovered of tracks and headland passes together. They show the
