@@ -1,8 +1,9 @@
 // Plans every curated real field on one thread and says what each took and what came of it.
 //
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
+//              [--obstacles 1]
 //
-// --all 1: every field of the registers instead; --every N: each N-th only.
+// --obstacles 1: only fields with obstacles; --all 1: every field of the registers instead; --every N: each N-th only.
 // A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
 // cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
 // that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
@@ -31,6 +32,7 @@ struct Request {
   int headlands = 0;
   bool curved = false;
   std::string only;
+  bool obstacles = false;
   int repeat = 1;
   bool all = false;
   int every = 1;
@@ -83,6 +85,7 @@ std::size_t corners_of(const Field& field) {
 
 Timed timed(const Field& field, const Request& request) {
   if (!request.only.empty() && field.id != request.only) return {};
+  if (request.obstacles && field.obstacles.empty()) return {};
   Timed out;
   PlanSettings settings;
   settings.headlands = request.headlands;
@@ -121,6 +124,7 @@ int run(int argc, char** argv) {
     if (word == "--curved") request.curved = std::atoi(argv[i + 1]) != 0;
     if (word == "--all") request.all = std::atoi(argv[i + 1]) != 0;
     if (word == "--every") request.every = std::max(1, std::atoi(argv[i + 1]));
+    if (word == "--obstacles") request.obstacles = std::atoi(argv[i + 1]) != 0;
     if (word == "--only") request.only = argv[i + 1];
     if (word == "--repeat") request.repeat = std::atoi(argv[i + 1]);
   }

@@ -158,7 +158,13 @@ class BestSearch {
     else
       for (const PricedGrid& grid : found.grids) shortlist.push_back(gridded(part, grid));
     PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
-    if (hindered) slide(out.whole);
+    if (hindered) {
+      slide(out.whole);
+      const ProvenBound proven =
+          bound_of_grids(task_, part, effort, context_, price_alone(part, out.whole.candidate));
+      out.bound = proven.bound;
+      out.boxes += proven.boxes;
+    }
 
     const PricedGrid& best = hindered ? found.unhindered.front() : found.grids.front();
     if (angle_between(best.direction, along) > Angle::degrees(1)) {
@@ -170,6 +176,13 @@ class BestSearch {
     Grounds apart = gridded(divided);
     if (is_better(laid_out(apart).avoided, out.whole.candidate.avoided)) out.divided = std::move(apart);
     return out;
+  }
+
+  /// What the part costs by itself with the tracks of a plan of this part alone.
+  double price_alone(const Polygon& part, const Candidate& laid) const {
+    if (!laid.works()) return kNoPrice;
+    return laid.cost() + task_.objective.turn -
+           task_.objective.uncovered * std::max(0.0, task_.body_m2 - area(part));
   }
 
   /// The land divided, each part with its best grid; one part where division does not pay.
