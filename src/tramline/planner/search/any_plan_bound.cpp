@@ -15,9 +15,9 @@ namespace {
 /// Cells of the ground, at most about so many.
 constexpr double kMostCells = 2000;
 /// Directions: as many as it takes for a strip in between to stray by so much of its width …
-constexpr double kStray_share = 0.4;
+constexpr double kStray_share = 0.3;
 /// … but neither fewer nor more than so many.
-constexpr int kFewestDirections = 48, kMostDirections = 180;
+constexpr int kFewestDirections = 48, kMostDirections = 240;
 /// Offsets of the wide strips in one direction, which overlap each other.
 constexpr int kOverlaps = 4;
 
@@ -32,28 +32,40 @@ int reflex_corners(const Ring& ring) {
   return signed_area(ring) < 0 ? static_cast<int>(n) - sum : sum;
 }
 
+/// The terms of detours.
+struct Detouring {
+  double width_m = 1;
+  double arc_m = 0;       ///< radius of the arcs that leave a track and return to it
+  bool drivable = true;   ///< whether nothing of a detour is tighter
+};
+
 /// Obstacles of which one detour may go round several.
 struct DetourGroup {
   Box box;
+  std::vector<Point> corners{};
   int most_detours = 0;  ///< of one piece
-  double reach_m = 0;    ///< no detour begins farther from the box along its track
 
   double diameter_m() const { return std::hypot(box.width(), box.height()); }
-  Point centre() const { return box.centre(); }
-  /// By how much the detours of one piece can be longer than the rows they take: each by twice its distance
-  /// from the track, away and back; and as none is steeper than 75 degrees, by four times those rows.
-  double longer_m(double width_m) const {
-    constexpr double kSteepest = 4;  // more than the tangent of 75 degrees
-    return std::min(2 * most_detours * rise_m(width_m), kSteepest * (diameter_m() + 2 * reach_m));
-  }
-  /// The largest distance of a detour from its track. What passes as a circle reaches 1 % beyond its corners.
-  double rise_m(double width_m) const { return 1.02 * diameter_m() + width_m; }
 };
 
-/// A detour leaves its track along an arc, or along a line that is inclined by 75 degrees between two arcs.
-double along_reach_m(const DetourGroup& group, double arc_m, double width_m) {
+/// The largest distance of a detour from its track round what is so wide across it. What passes as a circle
+/// reaches 1 % beyond its corners.
+double rise_m(double across_m, const Detouring& terms) { return 1.02 * across_m + terms.width_m; }
+
+/// No detour begins farther along its track from what it goes round: it leaves the track along an arc, or
+/// along a line that is inclined by 75 degrees between two arcs.
+double reach_m(double across_m, const Detouring& terms) {
   constexpr double kFoot = 0.27;  // more than the cotangent of 75 degrees
-  return width_m + 2 * arc_m + kFoot * group.rise_m(width_m);
+  return terms.width_m + 2 * terms.arc_m + kFoot * rise_m(across_m, terms);
+}
+
+/// By how much the detour is longer than its rows, at most. Where it has risen by f of h and turned by φ, f
+/// and h − f are at least r(1 − cos φ): φ is at most acos(1 − h/2r). It is longer by ∫ tan(φ/2) df, there and
+/// back.
+double longer_m(double rise_m, const Detouring& terms) {
+  const double steepest =
+      terms.drivable && rise_m < 2 * terms.arc_m ? std::sqrt(rise_m / (4 * terms.arc_m - rise_m)) : 1;
+  return 2 * rise_m * steepest;
 }
 
 double distance_of(const Box& a, const Box& b) {
@@ -63,23 +75,23 @@ double distance_of(const Box& a, const Box& b) {
 
 /// A detour that would run into a further obstacle goes round that one too, and two that would meet are one:
 /// obstacles nearer to one another than detours reach are one group.
-std::vector<DetourGroup> detour_groups(const std::vector<Hazard>& hazards, double arc_m, double width_m) {
+std::vector<DetourGroup> detour_groups(const std::vector<Hazard>& hazards, const Detouring& terms) {
   std::vector<DetourGroup> out;
   for (const Hazard& hazard : hazards) {
-    DetourGroup one{bounds(hazard.shape), 1 + reflex_corners(hazard.shape.outer), 0};
-    for (bool grown = true; grown;) {
-      grown = false;
-      one.reach_m = along_reach_m(one, arc_m, width_m);
-      for (std::size_t i = 0; i < out.size(); ++i) {
-        if (distance_of(one.box, out[i].box) > one.reach_m + out[i].reach_m + 2 * width_m) continue;
-        one.box.extend(out[i].box);
-        one.most_detours += out[i].most_detours;
-        out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
-        grown = true;
-        break;
+    DetourGroup one{bounds(hazard.shape), hazard.shape.outer, 1 + reflex_corners(hazard.shape.outer)};
+    for (std::size_t i = 0; i < out.size();) {
+      const double reach = reach_m(one.diameter_m(), terms) + reach_m(out[i].diameter_m(), terms);
+      if (distance_of(one.box, out[i].box) > reach + 2 * terms.width_m) {
+        ++i;
+        continue;
       }
+      one.box.extend(out[i].box);
+      one.corners.insert(one.corners.end(), out[i].corners.begin(), out[i].corners.end());
+      one.most_detours += out[i].most_detours;
+      out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
     }
-    out.push_back(one);
+    out.push_back(std::move(one));
   }
   return out;
 }
@@ -94,8 +106,8 @@ struct Run {
 /// The runs of all wide strips of one direction. The coordinates across count from the pivot.
 class WideStrips {
  public:
-  WideStrips(const SearchTask& task, const std::vector<DetourGroup>& groups, Point pivot, double radius_m)
-      : width_m_(task.machine.width_m), groups_(groups), pivot_(pivot), radius_m_(radius_m) {}
+  WideStrips(const Detouring& terms, const std::vector<DetourGroup>& groups, Point pivot, double radius_m)
+      : terms_(terms), width_m_(terms.width_m), groups_(groups), pivot_(pivot), radius_m_(radius_m) {}
 
   /// Within half_angle of the angle.
   void lay(const Region& ground, double angle, double half_angle) {
@@ -107,13 +119,11 @@ class WideStrips {
     slant_m_ = wide_m_ * std::tan(half_angle) + kNoPiece_m;
     row_m_ = width_m_ / std::cos(half_angle);
     const Region turned = frame_.to_track(ground);
-    const Point centre = frame_.to_track(pivot_);
+    centre_ = frame_.to_track(pivot_);
+    const Point centre = centre_;
     turned_groups_.clear();
-    for (const DetourGroup& group : groups_) {
-      const Point at = frame_.to_track(group.centre());
-      const double half = 0.5 * group.diameter_m();
-      turned_groups_.push_back({at.x - half, at.x + half, at.y - half, at.y + half, &group});
-    }
+    for (const DetourGroup& group : groups_) turned_groups_.push_back(turned_group(group));
+    reach_for_others();
     const Box reach = bounds(turned);
     first_ = static_cast<int>(std::floor((reach.min_x - centre.x - width_m_ - stray_m_) / step_m_)) - 1;
     const int last = static_cast<int>(std::ceil((reach.max_x - centre.x + stray_m_) / step_m_)) + 1;
@@ -133,46 +143,75 @@ class WideStrips {
                  runs_[static_cast<std::size_t>(step)]);
       }
     }
-    centre_ = centre;
+    for (TurnedGroup& group : turned_groups_) {
+      Box meeting = group.land;
+      meeting.min_x = group.box.min_x;
+      meeting.max_x = group.box.max_x;
+      group.longest_m = longest(meeting);
+    }
   }
 
   /// The longest run that a swath through any of the land within `half_m` of the point may lie in.
   double longest_through(Point at, double half_m) const {
-    const Point turned = frame_.to_track(at) - centre_;
-    return longest({turned.x - half_m, turned.x + half_m}, {turned.y + centre_.y - half_m,
-                                                            turned.y + centre_.y + half_m});
-  }
-
-  /// The longest run of all pieces that may have a detour round the group.
-  double longest_round(std::size_t group) const {
-    const TurnedGroup& turned = turned_groups_[group];
-    const double along = turned.group->reach_m + stray_m_;
-    return longest({turned.min_x - centre_.x, turned.max_x - centre_.x},
-                   {turned.min_y - along, turned.max_y + along});
+    const Point turned = frame_.to_track(at);
+    const Box cell = Box{turned.x, turned.y, turned.x, turned.y}.grown(half_m);
+    double out = longest(cell);
+    // Those that work it with a detour lie elsewhere.
+    for (const TurnedGroup& group : turned_groups_)
+      if (intersects(cell, group.land)) out = std::max(out, group.longest_m);
+    return out;
   }
 
  private:
   struct TurnedGroup {
-    double min_x, max_x, min_y, max_y;
-    const DetourGroup* group;
+    Box box;   ///< of the obstacles, turned either way
+    Box land;  ///< that their detours work
+    double longer_m = 0;
+    double longest_m = 0;  ///< run of a piece that may have a detour round them
   };
 
-  double longest(Interval across, Interval along) const {
-    const auto step_of = [&](double x) { return static_cast<int>(std::floor(x / step_m_)) - first_; };
-    const int low = std::max(0, step_of(across.from - width_m_ - stray_m_));
-    const int high = std::min(static_cast<int>(runs_.size()) - 1, step_of(across.to + stray_m_));
+  TurnedGroup turned_group(const DetourGroup& group) const {
+    TurnedGroup out;
+    for (const Point corner : group.corners) out.box.extend(frame_.to_track(corner));
+    out.box = out.box.grown(stray_m_);
+    const double rise = rise_m(out.box.width(), terms_), along = reach_m(out.box.width(), terms_) + stray_m_;
+    const double across = width_m_ + 0.02 * group.diameter_m() + 2 * stray_m_;
+    out.land = {out.box.min_x - across, out.box.min_y - along, out.box.max_x + across, out.box.max_y + along};
+    // None of its detours is steeper than 75 degrees all the way up, and they do not overlap along the track.
+    constexpr double kSteepest = 4;
+    out.longer_m = std::min(group.most_detours * longer_m(rise, terms_), kSteepest * out.land.height());
+    return out;
+  }
+
+  /// Where a track leaves its subfield between two groups, one detour may go round both.
+  void reach_for_others() {
+    for (TurnedGroup& a : turned_groups_)
+      for (const TurnedGroup& b : turned_groups_) {
+        if (a.land.min_x > b.land.max_x || b.land.min_x > a.land.max_x) continue;
+        a.land.min_y = std::min(a.land.min_y, b.box.min_y);
+        a.land.max_y = std::max(a.land.max_y, b.box.max_y);
+      }
+  }
+
+  /// The longest run of swaths that may meet the box.
+  double longest(const Box& box) const {
+    const auto step_of = [&](double x) {
+      return static_cast<int>(std::floor((x - centre_.x) / step_m_)) - first_;
+    };
+    const int low = std::max(0, step_of(box.min_x - width_m_ - stray_m_));
+    const int high = std::min(static_cast<int>(runs_.size()) - 1, step_of(box.max_x + stray_m_));
     double out = 0;
     for (int i = low; i <= high; ++i)
       for (const Run& run : runs_[static_cast<std::size_t>(i)])
-        if (run.from <= along.to + stray_m_ && run.to >= along.from - stray_m_)
+        if (run.from <= box.max_y + stray_m_ && run.to >= box.min_y - stray_m_)
           out = std::max(out, run.length_m);
     return out;
   }
 
   bool bridged(Interval gap, double left) const {
+    const Box rows{left, gap.from, left + wide_m_, gap.to};
     return std::any_of(turned_groups_.begin(), turned_groups_.end(), [&](const TurnedGroup& group) {
-      return group.min_x <= left + wide_m_ + stray_m_ && group.max_x >= left - stray_m_ &&
-             group.min_y - stray_m_ <= gap.to && group.max_y + stray_m_ >= gap.from;
+      return intersects(group.box, rows);
     });
   }
 
@@ -205,16 +244,16 @@ class WideStrips {
   void add_detours(double left, Run& run) const {
     bool any = false;
     double longer_m = 0;
-    for (const TurnedGroup& turned : turned_groups_) {
-      if (turned.min_x > left + wide_m_ + stray_m_ || turned.max_x < left - stray_m_) continue;
-      const double along = turned.group->reach_m + stray_m_;
-      if (std::max(run.from, turned.min_y - along) > std::min(run.to, turned.max_y + along)) continue;
+    for (const TurnedGroup& group : turned_groups_) {
+      if (group.box.min_x > left + wide_m_ || group.box.max_x < left) continue;
+      if (group.land.min_y > run.to || group.land.max_y < run.from) continue;
       any = true;
-      longer_m += turned.group->longer_m(width_m_);
+      longer_m += group.longer_m;
     }
     if (any) run.length_m = (run.to - run.from) * row_m_ / width_m_ + longer_m;
   }
 
+  Detouring terms_;
   double width_m_;
   const std::vector<DetourGroup>& groups_;
   Point pivot_;
@@ -255,42 +294,35 @@ std::vector<Cell> cells_of(const Region& body, double side_m) {
 
 double least_cost_of_any_plan(const SearchTask& task) {
   const Objective& price = task.objective;
-  const double width_m = task.machine.width_m, arc_m = std::max(task.machine.radius_m, 0.5 * width_m);
+  const double width_m = task.machine.width_m;
   const Region& ground = task.ground.plannable;
   const double given_up = price.uncovered * std::max(0.0, task.body_m2 - area(ground));
   if (ground.empty() || price.turn <= 0) return given_up;
   const Box box = bounds(ground);
   const double radius_m = 0.5 * std::hypot(box.width(), box.height());
-  const std::vector<DetourGroup> groups = detour_groups(task.ground.hazards, arc_m, width_m);
+  const Detouring terms{width_m, std::max(task.machine.radius_m, 0.5 * width_m),
+                        task.settings.avoid != Avoidance::kPaper};
+  const std::vector<DetourGroup> groups = detour_groups(task.ground.hazards, terms);
 
   const double side_m = std::max(0.5 * width_m, std::sqrt(box.width() * box.height() / kMostCells));
   std::vector<Cell> cells = cells_of(
       task.ground.passable.empty() ? ground : difference(ground, task.ground.passable), side_m);
-  std::vector<double> longest_round(groups.size(), 0);
   const int directions = static_cast<int>(
       std::clamp(std::ceil(std::numbers::pi * radius_m / (2 * kStray_share * width_m)),
                  static_cast<double>(kFewestDirections), static_cast<double>(kMostDirections)));
   const double half_angle = std::numbers::pi / (2 * directions);
-  WideStrips strips(task, groups, box.centre(), radius_m);
+  WideStrips strips(terms, groups, box.centre(), radius_m);
   for (int i = 0; i < directions; ++i) {
     strips.lay(ground, (2 * i + 1) * half_angle, half_angle);
     for (Cell& cell : cells)
       cell.longest_m =
           std::max(cell.longest_m, strips.longest_through(cell.centre, side_m * std::numbers::sqrt2 / 2));
-    for (std::size_t g = 0; g < groups.size(); ++g)
-      longest_round[g] = std::max(longest_round[g], strips.longest_round(g));
   }
 
   double sum = 0;
   for (const Cell& cell : cells) {
-    double longest_m = cell.longest_m;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      const Box at{cell.centre.x, cell.centre.y, cell.centre.x, cell.centre.y};
-      if (distance_of(at, groups[g].box) <= side_m + groups[g].reach_m + groups[g].rise_m(width_m) + width_m)
-        longest_m = std::max(longest_m, longest_round[g]);
-    }
     const double by_turn =
-        longest_m > 0 ? price.turn / (width_m * (longest_m + kNoPiece_m)) : price.uncovered;
+        cell.longest_m > 0 ? price.turn / (width_m * (cell.longest_m + kNoPiece_m)) : price.uncovered;
     sum += cell.inside_m2 * std::min(price.uncovered, by_turn);
   }
   return given_up + std::max(0.0, sum * (1 - kRounding_share) - price.turn);
