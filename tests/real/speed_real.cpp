@@ -3,11 +3,11 @@
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //              [--obstacles 1]
 //
-// --obstacles 1: only fields with obstacles; --all 1: every field of the registers instead; --every N: each N-th only.
-// A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
-// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
-// that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
-// does; the last line has how many fields a second of processor time holds.
+// --obstacles 1: only fields with obstacles; --all 1: every field of the registers instead; --every N: each
+// N-th only. A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms,
+// cost, bound, cost and bound of undivided plans, directions tried, and a sum over every number of the plan's
+// tracks, so that two builds can be compared by `diff` but for the times. Fields are planned side by side, as
+// best_real does; the last line has how many fields a second of processor time holds.
 
 #include <fmt/format.h>
 

@@ -10,8 +10,6 @@ namespace {
 
 /// What counts as a circle reaches so far beyond its corners, as a share of its diameter.
 constexpr double kRound_share = 0.02;
-/// More than the cotangent of the steepest slope of a detour, 75 degrees.
-constexpr double kFoot = 0.27;
 /// Rounding, tips of obstacles and the slack that detours are granted, m.
 constexpr double kSlack_m = 0.03;
 
@@ -53,8 +51,9 @@ class Zones {
     const double width_m = terms_.width_m, size_m = std::hypot(obstacles.width(), obstacles.height());
     const double turn = std::tan(terms_.half_angle);
     double across = width_m + kRound_share * size_m + kSlack_m;
-    double along = width_m + 2 * terms_.arc_m + kFoot * (obstacles.width() + turn * size_m + across) + kSlack_m;
-    if (terms_.of == DetoursOf::kAnyGrid) along += kFoot * size_m;
+    double along =
+        width_m + 2 * terms_.arc_m + kDetourFoot * (obstacles.width() + turn * size_m + across) + kSlack_m;
+    if (terms_.of == DetoursOf::kAnyGrid) along += kDetourFoot * size_m;
     const double turned = turn * (size_m + across + along);
     across += turned;
     along += turned;

@@ -11,6 +11,9 @@ namespace tramline {
 /// The grids whose detours may work the land: this one, or those of other parts of the field too.
 enum class DetoursOf : std::uint8_t { kThisGrid, kAnyGrid };
 
+/// More than the cotangent of the steepest line of a detour, 75 degrees.
+inline constexpr double kDetourFoot = 0.27;
+
 /// The terms of detours and of the grids that have them.
 struct DetourTerms {
   double width_m = 1;

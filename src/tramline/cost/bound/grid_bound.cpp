@@ -19,6 +19,50 @@ bool is_same(const Box& a, const Box& b) {
                    std::abs(a.max_y - b.max_y)}) < kWidthTolerance;
 }
 
+bool contains_point(const Box& box, Point p) {
+  return box.min_x <= p.x && p.x <= box.max_x && box.min_y <= p.y && p.y <= box.max_y;
+}
+
+/// Extent along of the part of a ring between two coordinates across. Empty (from > to) where there is none.
+Interval extent_along(const Ring& ring, double left, double right) {
+  Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Point a = ring.back();
+  for (const Point b : ring) {
+    const Point from = a;
+    a = b;
+    if (std::max(from.x, b.x) < left || std::min(from.x, b.x) > right) continue;
+    for (const Point end : {from, b}) {
+      const double x = std::clamp(end.x, left, right);
+      const double y = from.x == b.x ? end.y : from.y + (b.y - from.y) * ((x - from.x) / (b.x - from.x));
+      out = {std::min(out.from, y), std::max(out.to, y)};
+    }
+  }
+  return out;
+}
+
+/// The points of a ring that lie farthest to either side among those in some rows.
+struct Farthest {
+  Point left{std::numeric_limits<double>::infinity(), 0};
+  Point right{-std::numeric_limits<double>::infinity(), 0};
+};
+
+Farthest farthest_across(const Ring& ring, const Interval& rows) {
+  Farthest out;
+  Point a = ring.back();
+  for (const Point b : ring) {
+    const Point from = a;
+    a = b;
+    if (std::max(from.y, b.y) < rows.from || std::min(from.y, b.y) > rows.to) continue;
+    for (const Point end : {from, b}) {
+      const double y = std::clamp(end.y, rows.from, rows.to);
+      const double x = from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y));
+      if (x < out.left.x) out.left = {x, y};
+      if (x > out.right.x) out.right = {x, y};
+    }
+  }
+  return out;
+}
+
 /// The strips of the middle grid, and how far those of the others may differ. A grid that is turned about
 /// the pivot by the angle a sees the boundary, strip by strip and but for a shift along, moved
 /// - along, by a·(x − the strip's middle): the columns of a strip are sheared by at most shear_;
@@ -51,10 +95,12 @@ class Bound {
     shortest_ = std::max(tally_.terms().min_length_m, kNoPiece_m);
     least_length_ = shortest_ + 2 * shear_;
     for_proof_ = terms.near == NearObstacles::kCharged && !subfield_.obstacles.empty();
-    if (for_proof_) near_ = detour_zones(subfield_, {width_, detour_reach_, box.half_angle, shift_, terms.detours});
+    if (for_proof_)
+      near_ = detour_zones(subfield_, {width_, detour_reach_, box.half_angle, shift_, terms.detours});
     // With several parts what one of them gains from the detours of another is not known by itself.
-    charges_near_ = for_proof_ && terms.detours == DetoursOf::kThisGrid && subfield_.ground.passable.empty() &&
-                    subfield_.ground.beyond.empty() && subfield_.ground.field.empty();
+    charges_near_ = for_proof_ && terms.detours == DetoursOf::kThisGrid &&
+                    subfield_.ground.passable.empty() && subfield_.ground.beyond.empty() &&
+                    subfield_.ground.field.empty();
     if (charges_near_) {
       for (std::size_t i = 1; i < subfield_.outline.size(); ++i) {
         const Box hole = bounds(subfield_.outline[i]);
@@ -79,8 +125,7 @@ class Bound {
     const double least = std::max(sums_.apart, together.least(moving_.shift, moving_.turn));
     if (!charges_near_) return sums_.fixed + least;
     together += near_together_;
-    const double pooled =
-        std::max(sums_.apart + near_apart_, together.least(moving_.shift, moving_.turn));
+    const double pooled = std::max(sums_.apart + near_apart_, together.least(moving_.shift, moving_.turn));
     return sums_.fixed + std::max(least, pooled);
   }
 
@@ -332,30 +377,21 @@ class Bound {
 
   /// The part of a hole in the current strip.
   struct HoleRows {
-    Interval rows;   ///< where it may reach into the strip
-    int edges = 0;   ///< edges that may
+    Interval rows;        ///< where it may reach into the strip
+    int edges = 0;        ///< edges that may
     bool blocks = false;  ///< whether it does, in every grid
     const Hole* hole = nullptr;
   };
 
   HoleRows rows_of(const Hole& hole, double left, double right) const {
-    HoleRows out{{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}, 0, false,
-                 &hole};
+    HoleRows out;
+    out.hole = &hole;
     const double low = left - shift_, high = right + shift_;
-    const Ring& ring = *hole.ring;
-    Point a = ring.back();
-    for (const Point b : ring) {
-      const Point from = a;
+    out.rows = extent_along(*hole.ring, low, high);
+    Point a = hole.ring->back();
+    for (const Point b : *hole.ring) {
+      out.edges += std::max(a.x, b.x) < low || std::min(a.x, b.x) > high ? 0 : 1;
       a = b;
-      if (std::max(from.x, b.x) < low || std::min(from.x, b.x) > high) continue;
-      ++out.edges;
-      for (const double end : {std::clamp(from.x, low, high), std::clamp(b.x, low, high)}) {
-        const double y = from.x == b.x ? from.y : from.y + (b.y - from.y) * ((end - from.x) / (b.x - from.x));
-        out.rows.from = std::min(out.rows.from, y);
-        out.rows.to = std::max(out.rows.to, y);
-      }
-      out.rows.from = std::min(out.rows.from, from.x == b.x ? std::min(from.y, b.y) : out.rows.from);
-      out.rows.to = std::max(out.rows.to, from.x == b.x ? std::max(from.y, b.y) : out.rows.to);
     }
     out.rows.from -= shear_ + kWidthTolerance;
     out.rows.to += shear_ + kWidthTolerance;
@@ -389,19 +425,60 @@ class Bound {
     return out;
   }
 
-  /// Least cost of getting past the obstacles of a strip between the pieces that are driven for certain.
+  /// Least cost of getting past the obstacles of a strip between the pieces that are driven for certain: a
+  /// cut, or the rows in between and what a detour is longer. One detour may pass several of them.
   double passing_cost(int k) {
-    double sum = 0;
+    const double cut = objective_.turn + 2 * objective_.stop;
+    std::vector<Passage> passages;
     for (std::size_t i = 0; i + 1 < driven_.size(); ++i) {
       const Interval between{driven_[i].to, driven_[i + 1].from};
       if (!only_holes_in(between)) continue;
-      double bridged_m = 0;
-      for (const Interval& one : common({between}, pooled_)) bridged_m += one.length();
-      const double cut = objective_.turn + 2 * objective_.stop;
-      sum += std::min(cut, objective_.overlap * width_ * bridged_m);
+      Passage passage;
+      for (const Interval& one : common({between}, pooled_)) passage.rows_m += one.length();
+      for (const HoleRows& rows : hole_rows_)
+        if (rows.blocks && rows.rows.from <= between.to && rows.rows.to >= between.from)
+          passage.longer_m = std::max(passage.longer_m, longer_round(*rows.hole, k));
+      passages.push_back(passage);
     }
-    (void)k;
+    double sum = 0;
+    for (const Passage& passage : passages) {
+      const double longer_m = passage.longer_m / static_cast<double>(passages.size());
+      sum += std::min(cut, objective_.overlap * width_ * (passage.rows_m + longer_m));
+    }
     return sum;
+  }
+
+  struct Passage {
+    double rows_m = 0;    ///< between two pieces
+    double longer_m = 0;  ///< by which a detour is longer than its rows, at least
+  };
+
+  /// By how much a detour of the strip round the hole, on either side, is longer than its rows: it has to
+  /// pass the hole's farthest point in those rows by half a width, and it has no more rows for the way there
+  /// and back than from the ends of its zone.
+  double longer_round(const Hole& hole, int k) const {
+    const double left = grid_.line(k) + shift_ + 2 * kNoPiece_m,
+                 right = grid_.line(k + 1) - shift_ - 2 * kNoPiece_m;
+    const double turned = 2 * (tangent_ * (hole.box.width() + hole.box.height() + 2 * width_) + shear_);
+    Interval rows = extent_along(*hole.ring, left, right);
+    rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
+    if (rows.from >= rows.to) return 0;
+    const auto zone = std::find_if(near_.begin(), near_.end(), [&hole](const DetourZone& one) {
+      return contains_point(one.obstacles, hole.box.centre());
+    });
+    if (zone == near_.end()) return 0;
+    const Farthest far = farthest_across(*hole.ring, rows);
+    const double centre = grid_.centre(k);
+    const auto longer_by = [&](Point past, double aside) {
+      const double rise = std::max(0.0, aside + 0.5 * width_ - shift_ - kNoPiece_m);
+      const double reach = 2 * detour_reach_ + kDetourFoot * rise + turned + width_ * kNoPiece_m;
+      double sum = 0;
+      for (const double run :
+           {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
+        sum += std::hypot(run, rise) - run;
+      return sum;
+    };
+    return std::min(longer_by(far.left, centre - far.left.x), longer_by(far.right, far.right.x - centre));
   }
 
   /// Whether all of the boundary between two pieces is that of holes, of which one is in the way.

@@ -35,8 +35,8 @@ int reflex_corners(const Ring& ring) {
 /// The terms of detours.
 struct Detouring {
   double width_m = 1;
-  double arc_m = 0;       ///< radius of the arcs that leave a track and return to it
-  bool drivable = true;   ///< whether nothing of a detour is tighter
+  double arc_m = 0;      ///< radius of the arcs that leave a track and return to it
+  bool drivable = true;  ///< whether nothing of a detour is tighter
 };
 
 /// Obstacles of which one detour may go round several.
@@ -210,9 +210,8 @@ class WideStrips {
 
   bool bridged(Interval gap, double left) const {
     const Box rows{left, gap.from, left + wide_m_, gap.to};
-    return std::any_of(turned_groups_.begin(), turned_groups_.end(), [&](const TurnedGroup& group) {
-      return intersects(group.box, rows);
-    });
+    return std::any_of(turned_groups_.begin(), turned_groups_.end(),
+                       [&](const TurnedGroup& group) { return intersects(group.box, rows); });
   }
 
   void add_runs(const StripProfile& profile, double left, std::vector<Run>& out) const {
@@ -305,8 +304,8 @@ double least_cost_of_any_plan(const SearchTask& task) {
   const std::vector<DetourGroup> groups = detour_groups(task.ground.hazards, terms);
 
   const double side_m = std::max(0.5 * width_m, std::sqrt(box.width() * box.height() / kMostCells));
-  std::vector<Cell> cells = cells_of(
-      task.ground.passable.empty() ? ground : difference(ground, task.ground.passable), side_m);
+  std::vector<Cell> cells =
+      cells_of(task.ground.passable.empty() ? ground : difference(ground, task.ground.passable), side_m);
   const int directions = static_cast<int>(
       std::clamp(std::ceil(std::numbers::pi * radius_m / (2 * kStray_share * width_m)),
                  static_cast<double>(kFewestDirections), static_cast<double>(kMostDirections)));

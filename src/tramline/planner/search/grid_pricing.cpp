@@ -30,8 +30,7 @@ GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const Sear
       soft_(task.objective),
       bound_{task.objective, bounds(part).centre(),
              std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
-             task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid,
-             near} {
+             task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid, near} {
   soft_.stop = std::min(soft_.stop, soft_.turn);
 }
 
