@@ -318,13 +318,18 @@ double least_cost_of_any_plan(const SearchTask& task) {
           std::max(cell.longest_m, strips.longest_through(cell.centre, side_m * std::numbers::sqrt2 / 2));
   }
 
-  double sum = 0;
-  for (const Cell& cell : cells) {
-    const double by_turn =
-        cell.longest_m > 0 ? price.turn / (width_m * (cell.longest_m + kNoPiece_m)) : price.uncovered;
-    sum += cell.inside_m2 * std::min(price.uncovered, by_turn);
+  // The first piece costs no turn. With a lower price than a turn's less has to be subtracted for it, and
+  // what the other pieces cost beyond that price is left out: the best of some such prices counts.
+  constexpr int kPrices = 24;
+  double most = 0;
+  for (int i = 0; i < kPrices; ++i) {
+    const double by_piece = std::ldexp(price.turn, -i);
+    double sum = 0;
+    for (const Cell& cell : cells)
+      sum += cell.inside_m2 * std::min(price.uncovered, by_piece / (width_m * (cell.longest_m + kNoPiece_m)));
+    most = std::max(most, sum * (1 - kRounding_share) - by_piece);
   }
-  return given_up + std::max(0.0, sum * (1 - kRounding_share) - price.turn);
+  return given_up + most;
 }
 
 }  // namespace tramline
