@@ -8,6 +8,7 @@
 
 #include "report/front_report.h"
 #include "report/obstacle_report.h"
+#include "report/plan_summary.h"
 #include "report/report_parts.h"
 #include "report/turning/route_report.h"
 #include "report/turning/turning_report.h"
@@ -76,12 +77,6 @@ std::string proof_rows(const Plan& plan) {
       "{:.2f}\n",
       proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
       proof.one_direction_bound);
-}
-
-/// Was there a search that tells what no plan undercuts?
-bool is_proven(const Plan& plan) {
-  return plan.settings.aim == Aim::kCost && plan.settings.strategy == Strategy::kBest &&
-         references(plan).empty() && !is_repair(plan) && given_subfields(plan) == 0;
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/report_parts.h"
 #include "report/turning/route_report.h"
@@ -88,6 +89,15 @@ std::string note_row(const std::vector<std::string>& odd) {
   return fmt::format("note         {}{}\n", odd.front(), more);
 }
 
+/// Empty where nothing is proven.
+std::string proof_row(const Plan& plan) {
+  const double bound = plan.proof.one_direction_bound;
+  if (!is_proven(plan) || bound <= 0) return "";
+  if (plan.cost <= bound) return "proven       no plan of one direction costs less\n";
+  return fmt::format("proven       at most {:.1f} % above the best plan of one direction\n",
+                     std::ceil(1000 * (plan.cost / bound - 1)) / 10);
+}
+
 std::string front_row(const Plan& plan) {
   if (plan.front.points.empty()) return "";
   return fmt::format("front        {} plans to choose from: see 'tramline compare'\n",
@@ -95,6 +105,13 @@ std::string front_row(const Plan& plan) {
 }
 
 }  // namespace
+
+bool is_proven(const Plan& plan) {
+  const bool drawn = std::any_of(plan.subfields.begin(), plan.subfields.end(),
+                                 [](const Subfield& subfield) { return !subfield.given_by.empty(); });
+  return plan.settings.aim == Aim::kCost && plan.settings.strategy == Strategy::kBest &&
+         references(plan).empty() && !is_repair(plan) && !drawn;
+}
 
 std::string figure_rows(const Plan& plan) {
   if (plan.route.planned())
@@ -109,7 +126,7 @@ std::string figure_rows(const Plan& plan) {
 }
 
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
-  return figure_rows(plan) + note_row(oddities(plan, skipped)) + front_row(plan);
+  return figure_rows(plan) + proof_row(plan) + note_row(oddities(plan, skipped)) + front_row(plan);
 }
 
 std::string plan_line(const Plan& plan, double seconds) {

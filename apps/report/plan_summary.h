@@ -8,8 +8,12 @@
 
 namespace tramline::app {
 
+/// Whether a search has proven what no plan undercuts.
+bool is_proven(const Plan& plan);
+
 /// Hectares to work, passes, distance at work, land worked twice, land missed, and peculiarities of the plan.
-/// Six lines, each with its unit, and one more where a front was asked for. O(n) in pieces and vertices.
+/// Six lines, each with its unit, one more where a bound of the cost is proven, and one where a front was
+/// asked for. O(n) in pieces and vertices.
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped);
 
 /// The rows of plan_summary() before its note.

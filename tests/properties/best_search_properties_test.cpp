@@ -12,8 +12,10 @@
 #include "properties/seeds.h"
 #include "tramline/cost/bound/best_offset.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/search/any_plan_bound.h"
 #include "tramline/planner/search/branch_and_bound.h"
 #include "tramline/tracks/tolerances.h"
 
@@ -72,9 +74,16 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
       EXPECT_NEAR(laid.cost(), best.cost - (laid.works() ? task.objective.turn : 0),
                   1e-6 * std::abs(best.cost));
     }
+    std::vector<double> costs{laid.cost() + task.objective.turn};
     for (int i = 0; i < 10; ++i) {
-      const double cost = cost_at(task, between(random, 0, 180), between(random, 0, width_m));
-      EXPECT_GE(cost + task.objective.turn, found.bound - 1e-6 * std::abs(found.bound));
+      costs.push_back(cost_at(task, between(random, 0, 180), between(random, 0, width_m)) +
+                      task.objective.turn);
+      EXPECT_GE(costs.back(), found.bound - 1e-6 * std::abs(found.bound));
+    }
+    if (hindered) {
+      const double proven =
+          bound_of_grids(task, task.ground.plannable.front(), effort, SearchContext(1), costs.front()).bound;
+      for (const double cost : costs) EXPECT_GE(cost, proven - 1e-6 * std::abs(proven));
     }
     const GridTerms terms{width_m, min_length_m(task.machine),
                           end_criterion(task.settings.end_rule, task.objective, width_m)};
@@ -83,6 +92,117 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
       const GridTally tally(frame, task.ground.plannable.front(), {}, terms);
       EXPECT_GE(separate_cost(task.objective, tally.at(between(random, 0, width_m))),
                 found.bound - 1e-6 * std::abs(found.bound));
+    }
+  });
+}
+
+// Near obstacles a box is charged what is worked beyond the land there, and what it takes to get past them:
+// no grid of the box costs less, however its tracks are cut and go round.
+TEST(BestSearchProperties, NoWaysPastObstaclesCostLessThanTheBoundOfTheBox) {
+  int charged = 0, compared = 0;
+  testing::for_each_seed(60, [&](std::mt19937_64& random, int) {
+    const Field field = testing::random_field(random, 6);
+    const double width_m = between(random, 2, 9);
+    Objective objective{between(random, 0, 0.1), between(random, 0, 0.3), between(random, 0, 2),
+                        between(random, 0, 8)};
+    if (random() % 8 == 0) (random() % 2 == 0 ? objective.overlap : objective.uncovered) = 99999;
+    testing::Prepared whole = prepared(field, width_m, objective);
+    whole.problem.settings.end_rule = static_cast<EndRule>(random() % 4);
+    whole.problem.machine.radius_m = between(random, 0.3, 2) * width_m;
+    if (random() % 4 == 0) whole.problem.machine.min_length_m = 0;
+    const SearchTask task = whole.task();
+    if (task.ground.plannable.size() != 1 || task.ground.hazards.empty()) return;
+    const Polygon& part = task.ground.plannable.front();
+    const GridPricing proof(task, part, SearchContext(1), NearObstacles::kCharged);
+    const GridPricing search(task, part, SearchContext(1));
+    for (int i = 0; i < 4; ++i) {
+      const double half_degrees = std::pow(10, between(random, -5, -0.5));
+      const double half_m = width_m * std::pow(10, between(random, -5, -0.5));
+      const PositionBox box{{between(random, 0, std::numbers::pi), between(random, 0, width_m)},
+                            half_degrees * std::numbers::pi / 180,
+                            half_m};
+      const GridTally middle = proof.tally(box.middle.angle);
+      const double least = proof.least(middle, box, std::numeric_limits<double>::infinity());
+      charged += least > search.least(middle, box, std::numeric_limits<double>::infinity()) ? 1 : 0;
+      for (int k = 0; k < 3; ++k) {
+        const GridPosition at{box.middle.angle + box.half_angle * between(random, -1, 1),
+                              box.middle.offset_m + half_m * between(random, -1, 1)};
+        const TrackFrame frame = GridPricing::frame(at.angle);
+        const double origin_m = frame.to_track(proof.bound().pivot).x + at.offset_m;
+        // Other choices than the cheapest, with the ends of the same rule.
+        const double land = between(random, 0.2, 2);
+        const Objective other{objective.overlap * land, objective.uncovered * land,
+                              objective.turn * between(random, 0, 3), objective.stop * between(random, 0, 3)};
+        const SearchTask chooser(whole.problem, whole.field, k == 0 ? objective : other);
+        const Candidate laid = candidate_on(chooser, {{{part, frame.direction()}, origin_m}});
+        const double given_up = objective.uncovered * std::max(0.0, task.body_m2 - area(part));
+        const double first = laid.works() ? objective.turn : 0;
+        const double alone = cost(objective, laid.avoided.tally) - given_up + first;
+        EXPECT_GE(alone, least - 1e-6 * (1 + std::abs(least)))
+            << "at " << at.angle << " " << at.offset_m << " within " << box.half_angle << " " << half_m;
+        ++compared;
+      }
+    }
+  });
+  EXPECT_GT(compared, 0);
+  EXPECT_GT(charged, compared / 60);
+}
+
+/// The direction of a polygon's longest edge.
+Direction edge_direction(const Polygon& shape) {
+  Point from = shape.outer.back(), longest;
+  for (const Point to : shape.outer) {
+    if (length(to - from) > length(longest)) longest = to - from;
+    from = to;
+  }
+  return Direction::along({0, 0}, longest);
+}
+
+/// Divides a polygon by a line through a random point of its box.
+Region divided_at_random(std::mt19937_64& random, const Polygon& shape) {
+  const Box box = bounds(shape);
+  const Point at{between(random, box.min_x, box.max_x), between(random, box.min_y, box.max_y)};
+  const double angle = between(random, 0, std::numbers::pi), far_m = 4 * (box.width() + box.height());
+  const Point along{far_m * std::cos(angle), far_m * std::sin(angle)};
+  const Point side{-along.y, along.x};
+  const Polygon half{{at - along, at + along, at + along + side, at - along + side}, {}};
+  Region out = intersection({shape}, {half});
+  for (Polygon& rest : difference({shape}, {half})) out.push_back(std::move(rest));
+  return out;
+}
+
+// Whatever the subfields, directions, offsets and ways past obstacles: no plan costs less than the bound of
+// any plan.
+TEST(BestSearchProperties, NoDivisionCostsLessThanTheBoundOfAnyPlan) {
+  testing::for_each_seed(40, [](std::mt19937_64& random, int) {
+    const Field field = testing::random_field(random, random() % 2 == 0 ? 5 : 0);
+    const double width_m = between(random, 2, 12);
+    const Objective objective{between(random, 0, 0.05), between(random, 0, 0.3), between(random, 0, 3),
+                              between(random, 0, 5), between(random, 0, 5)};
+    testing::Prepared whole = prepared(field, width_m, objective);
+    whole.problem.settings.end_rule = static_cast<EndRule>(random() % 4);
+    const SearchTask task = whole.task();
+    if (task.ground.plannable.empty()) return;
+    const double least = least_cost_of_any_plan(task);
+    for (int i = 0; i < 6; ++i) {
+      Region shapes = task.ground.plannable;
+      for (int cuts = static_cast<int>(random() % 3); cuts > 0; --cuts) {
+        Region next;
+        for (const Polygon& shape : shapes)
+          for (Polygon& piece : divided_at_random(random, shape)) next.push_back(std::move(piece));
+        shapes = std::move(next);
+      }
+      std::vector<LinedSubfield> subfields;
+      const double along = between(random, 0, 180);
+      for (const Polygon& shape : shapes) {
+        // Long tracks work most land for a turn.
+        const bool best = random() % 2 == 0;
+        const Direction direction =
+            best ? edge_direction(shape) : Direction::clockwise_from_north(Angle::degrees(along));
+        subfields.push_back({{shape, direction}, between(random, 0, width_m)});
+      }
+      const Candidate laid = candidate_on(task, subfields);
+      EXPECT_GE(laid.cost() + 1e-6, least);
     }
   });
 }

@@ -1,8 +1,10 @@
 #pragma once
 // A lower bound on the cost of every grid of tracks near a given one.
 
+#include <cstdint>
 #include <limits>
 
+#include "tramline/cost/bound/detour_zones.h"
 #include "tramline/cost/grid/grid_tally.h"
 #include "tramline/model/objective.h"
 
@@ -17,11 +19,19 @@ struct GridBox {
   double half_angle = 0;  ///< radians, < 0.1
 };
 
+/// What is charged for land that detours may work.
+enum class NearObstacles : std::uint8_t {
+  kNothing,  ///< for a search that looks for grids; detours of more than ten widths may go beyond that land
+  kCharged,  ///< the overlap of all that is worked there, for a proof
+};
+
 /// The other terms of a bound.
 struct BoundTerms {
   Objective objective;
   Point pivot;              ///< in the field's plane
   double detour_reach = 0;  ///< radius of the arcs that detours are made of, m
+  DetoursOf detours = DetoursOf::kThisGrid;
+  NearObstacles near = NearObstacles::kNothing;
 };
 
 /// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/search/any_plan_bound.h"
 #include "tramline/planner/search/split_and_merge.h"
 #include "tramline/planner/search/sweep_search.h"
 
@@ -77,7 +77,9 @@ class BestSearch {
       out_.undivided = std::move(*undivided_);
     out_.proof.one_direction_bound =
         std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
-    out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
+    if (context_.wants_bound())
+      out_.proof.bound =
+          std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_) + task_.objective.subfield);
     out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
     out_.best = std::move(best_);
     out_.swept = std::move(swept_);
@@ -156,7 +158,13 @@ class BestSearch {
     else
       for (const PricedGrid& grid : found.grids) shortlist.push_back(gridded(part, grid));
     PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
-    if (hindered) slide(out.whole);
+    if (hindered) {
+      slide(out.whole);
+      const ProvenBound proven =
+          bound_of_grids(task_, part, effort, context_, price_alone(part, out.whole.candidate));
+      out.bound = proven.bound;
+      out.boxes += proven.boxes;
+    }
 
     const PricedGrid& best = hindered ? found.unhindered.front() : found.grids.front();
     if (angle_between(best.direction, along) > Angle::degrees(1)) {
@@ -168,6 +176,13 @@ class BestSearch {
     Grounds apart = gridded(divided);
     if (is_better(laid_out(apart).avoided, out.whole.candidate.avoided)) out.divided = std::move(apart);
     return out;
+  }
+
+  /// What the part costs by itself with the tracks of a plan of this part alone.
+  double price_alone(const Polygon& part, const Candidate& laid) const {
+    if (!laid.works()) return kNoPrice;
+    return laid.cost() + task_.objective.turn -
+           task_.objective.uncovered * std::max(0.0, task_.body_m2 - area(part));
   }
 
   /// The land divided, each part with its best grid; one part where division does not pay.
@@ -297,23 +312,6 @@ class BestSearch {
 };
 
 }  // namespace
-
-double least_cost_of_any_plan(const SearchTask& task) {
-  const Objective& price = task.objective;
-  const double width_m = task.machine.width_m, arc = std::max(task.machine.radius_m, 0.5 * width_m);
-  const Box box = bounds(task.ground.plannable);
-  double longest = std::hypot(box.width(), box.height());
-  for (const Hazard& hazard : task.ground.hazards) {
-    // The longest way round an obstacle: half a turn about it on either side, and the arcs into and out of
-    // that.
-    const Box around = bounds(hazard.shape);
-    longest += 2 * (around.width() + around.height()) + 4 * std::numbers::pi * (arc + width_m);
-  }
-  const double ground_m2 = std::min(task.body_m2, area(task.ground.plannable));
-  const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
-  const double by_tracks = price.turn * std::max(0.0, ground_m2 / (width_m * longest) - 1);
-  return price.uncovered * given_up_m2 + std::min(by_tracks, price.uncovered * ground_m2);
-}
 
 SearchResult best_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
   return BestSearch(task, context, no_more_than).run();

@@ -14,9 +14,4 @@ namespace tramline {
 SearchResult best_search(const SearchTask& task, const SearchContext& context,
                          double no_more_than = kAnyCost);
 
-/// A lower bound of the cost of every plan in which each piece that fits is driven, whatever the subfields,
-/// directions, offsets and detours: a track works at most w times the length it can have, so a certain number
-/// of tracks is needed, or land stays uncovered.
-double least_cost_of_any_plan(const SearchTask& task);
-
 }  // namespace tramline

@@ -44,13 +44,20 @@ struct LaterBox {
 class GridSearch {
  public:
   GridSearch(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-             const SearchContext& context)
-      : pricing_(task, part, context),
+             const SearchContext& context, NearObstacles near)
+      : pricing_(task, part, context, near),
         effort_(effort),
         context_(context),
         hindered_(!pricing_.tally(0).subfield().obstacles.empty()),
         list_(pricing_.width_m()),
         soft_list_(pricing_.width_m()) {}
+
+  /// Bounds boxes only.
+  ProvenBound prove(double known) {
+    known_ = known;
+    if (effort_.most_boxes > 0) branch();
+    return {std::min(bound_, known), boxes_};
+  }
 
   BranchAndBoundResult run(const Rival& rival) {
     try_edges();
@@ -156,6 +163,7 @@ class GridSearch {
   std::optional<GridPrices> look(SearchBox& box, double target) const {
     const GridTally tally = pricing_.tally(box.middle.angle);
     box.bound = std::max(box.bound, pricing_.least(tally, box, target));
+    if (known_) return std::nullopt;
     const bool between = box.half_offset_m > pricing_.width_m() / 15 && box.half_angle < kFirstHalfAngle;
     if (box.bound >= target || between) return std::nullopt;
     return pricing_.prices(tally, box.middle.offset_m);
@@ -174,6 +182,7 @@ class GridSearch {
 
   /// A box that cannot cost less holds nothing worth finding.
   double target() const {
+    if (known_) return *known_ - effort_.gap * std::abs(*known_);
     const FoundGrid& best = list_.best();
     if (!best.works) return std::numeric_limits<double>::infinity();
     const double cheapest = std::min(best.cost, rival_);
@@ -233,7 +242,7 @@ class GridSearch {
   bool makes_headway(double closed) const {
     const double open_gap = target() - open_.top().bound;
     const double looks_left = static_cast<double>(effort_.most_boxes - boxes_) / kLookEvery;
-    return closed >= (hindered_ ? kLeastWhereHindered : kLeastProgress) * open_gap &&
+    return closed >= (hindered_ && !known_ ? kLeastWhereHindered : kLeastProgress) * open_gap &&
            2 * closed * looks_left >= open_gap;
   }
 
@@ -271,6 +280,7 @@ class GridSearch {
   SearchContext context_;
   bool hindered_;
   double rival_ = std::numeric_limits<double>::infinity();
+  std::optional<double> known_;  ///< where nothing but the bound is wanted: the cost to compare with
   GridShortlist list_, soft_list_;
   std::priority_queue<SearchBox, std::vector<SearchBox>, LaterBox> open_;
   double bound_ = 0;
@@ -281,7 +291,12 @@ class GridSearch {
 
 BranchAndBoundResult branch_and_bound(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
                                       const SearchContext& context, const Rival& rival) {
-  return GridSearch(task, part, effort, context).run(rival);
+  return GridSearch(task, part, effort, context, NearObstacles::kNothing).run(rival);
+}
+
+ProvenBound bound_of_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
+                           const SearchContext& context, double known) {
+  return GridSearch(task, part, effort, context, NearObstacles::kCharged).prove(known);
 }
 
 }  // namespace tramline

@@ -26,7 +26,7 @@ struct BranchAndBoundResult {
   std::vector<PricedGrid> grids;  ///< the best found, cheapest first, no two alike; not empty
   /// The best grids if a stop cost no more than a turn, at that price; empty without obstacles.
   std::vector<PricedGrid> unhindered;
-  double bound = 0;  ///< no grid costs less, whatever its detours
+  double bound = 0;  ///< no grid costs less where no obstacle is in the way; else see bound_of_grids()
   int boxes = 0;
 };
 
@@ -42,5 +42,16 @@ using Rival = std::function<double(const PricedGrid& best)>;
 /// their cost.
 BranchAndBoundResult branch_and_bound(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
                                       const SearchContext& context, const Rival& rival = {});
+
+/// A cost that no grid is below, whatever its detours, and the number of boxes it took.
+struct ProvenBound {
+  double bound = 0;
+  int boxes = 0;
+};
+
+/// The same search where obstacles are in the way, with a bound that charges the land near them too, and for
+/// nothing but the bound: `known` is the cost of the best grid found with its detours, by itself.
+ProvenBound bound_of_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
+                           const SearchContext& context, double known);
 
 }  // namespace tramline

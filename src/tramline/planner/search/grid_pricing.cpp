@@ -21,14 +21,16 @@ Polygon outline_of(const Polygon& part, double width_m, const SearchContext& con
 
 }  // namespace
 
-GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context)
+GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context,
+                         NearObstacles near)
     : task_(task),
       part_(outline_of(part, task.machine.width_m, context)),
       grid_{task.machine.width_m, min_length_m(task.machine),
             end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
       soft_(task.objective),
       bound_{task.objective, bounds(part).centre(),
-             std::max(task.machine.radius_m, 0.5 * task.machine.width_m)} {
+             std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
+             task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid, near} {
   soft_.stop = std::min(soft_.stop, soft_.turn);
 }
 

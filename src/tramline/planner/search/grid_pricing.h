@@ -41,7 +41,8 @@ class GridPricing {
  public:
   /// Exactly where the search proves a bound. Else over an outline with fewer vertices, which deviates from
   /// the part by a small share of the working width: most vertices of land behind headlands lie on arcs.
-  GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context);
+  GridPricing(const SearchTask& task, const Polygon& part, const SearchContext& context,
+              NearObstacles near = NearObstacles::kNothing);
 
   GridTally tally(double angle) const;
   static TrackFrame frame(double angle) {
