@@ -32,10 +32,12 @@ function ByRates() {
   const operations = useStore(usual, (value) => value.operations);
   const rates = machine.rates ?? {};
   const known = usualOf(rates, operations);
+  // Of the form as it is now: two fields may change before either is drawn anew.
   const set = (change: Partial<typeof rates>) => {
-    const next = { ...rates, ...change };
+    const now = form.get().machine;
+    const next = { ...now.rates, ...change };
     for (const key of Object.keys(next) as (keyof typeof next)[]) if (next[key] === undefined) delete next[key];
-    form.set({ machine: { ...machine, rates: next } });
+    form.set({ machine: { ...now, rates: next } });
   };
   const clear = () => {
     const { rates: _, ...rest } = machine;

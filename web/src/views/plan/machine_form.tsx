@@ -22,7 +22,7 @@ export function MachineForm() {
   const machines = useStore(plans, (value) => value.machines);
   const system = useStore(measures, (value) => value.system);
   const set = (change: Partial<typeof machine>) => {
-    const { name: _, id: __, ...rest } = machine;
+    const { name: _, id: __, ...rest } = form.get().machine;
     form.set({ machine: { ...rest, ...change } });
   };
   return (
