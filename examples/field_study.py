@@ -33,7 +33,7 @@ PRICES = (0.02, 0.10, 1)
 
 
 def drawn_fields() -> dict[str, sg.Polygon]:
-    """Twenty fields in plain metres: four of each of five kinds, 1 to 12 ha, turned so that no side runs north by chance."""
+    """Twenty fields in plain metres: four of each of five kinds, 0.8 to 8.6 ha, turned so that no side runs north by chance."""
     fields = {}
     for number in range(4):
         long, short = 180 + 60 * number, 70 + 35 * number

@@ -37,8 +37,15 @@ void add_feature(const RawFeature& feature, Digest& digest) {
     }
 }
 
-/// Of all files that the parcels are read from; where there are none, as in a database, of the parcels
-/// themselves.
+/// Whether SQLite keeps changes of a file in a log beside it that are not in the file yet.
+bool has_a_log(const std::string& file) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(file + "-wal", none);
+  return !none && bytes > 0;
+}
+
+/// Of all files that the parcels are read from; where there are none, as in a database, or changes are not in
+/// them yet, of the parcels themselves.
 std::string digest_of_parcels(io::FeatureStream& stream) {
   Digest out;
   const std::vector<std::string> files = stream.files();
@@ -46,7 +53,9 @@ std::string digest_of_parcels(io::FeatureStream& stream) {
     out.add(std::filesystem::path(file).filename().string() + '\n');
     out.add_file(file);
   }
-  if (!files.empty()) return out.text();
+  const bool all_written =
+      std::none_of(files.begin(), files.end(), [](const std::string& file) { return has_a_log(file); });
+  if (!files.empty() && all_written) return out.text();
   constexpr long long kAtATime = 1000;
   for (long long first = 0; first < stream.count(); first += kAtATime)
     for (const RawLayer& layer : stream.read(first, kAtATime).layers)

@@ -89,10 +89,11 @@ std::string note_row(const std::vector<std::string>& odd) {
   return fmt::format("note         {}{}\n", odd.front(), more);
 }
 
-/// Empty where nothing is proven.
+/// Empty where nothing is proven, or so little that it tells nobody anything.
 std::string proof_row(const Plan& plan) {
+  constexpr double kMostTold = 1;
   const double bound = plan.proof.one_direction_bound;
-  if (!is_proven(plan) || bound <= 0) return "";
+  if (!is_proven(plan) || bound <= 0 || plan.cost > (1 + kMostTold) * bound) return "";
   if (plan.cost <= bound) return "proven       no plan of one direction costs less\n";
   return fmt::format("proven       at most {:.1f} % above the best plan of one direction\n",
                      std::ceil(1000 * (plan.cost / bound - 1)) / 10);

@@ -116,3 +116,13 @@ def test_messages_name_keywords():
         tramline.plan(sg.box(0, 0, 100, 100), nonsense=3)
     with pytest.raises(ValueError, match="no file"):
         tramline.plan("there-is-none.gpkg")
+
+
+def test_options_that_may_have_several_values_take_them_from_anything():
+    from tramline._words import words
+
+    assert words({"done": []}) == []
+    assert words({"done": "a.gpkg"}) == ["--done=a.gpkg"]
+    assert words({"done": ("a.gpkg", "b.gpkg")}) == ["--done=a.gpkg", "--done=b.gpkg"]
+    assert words({"for_": iter([(0.1, 0.2, 1), (0.3, 0.1, 2)])}) == ["--for=0.1,0.2,1", "--for=0.3,0.1,2"]
+    assert words({"for_": (0.1, 0.2, 1)}) == ["--for=0.1,0.2,1"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numbers
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from ._core import InputError
@@ -28,18 +28,20 @@ def words(options: dict[str, Any]) -> list[str]:
             continue
         if value is True:
             out.append(option)
-        elif name in _REPEATED and _is_several(value):
-            out.extend(f"{option}={text(one, name)}" for one in value)
+        elif name in _REPEATED:
+            out.extend(f"{option}={text(one, name)}" for one in _each_of(value))
         else:
             out.append(f"{option}={text(value, name)}")
     return out
 
 
-def _is_several(value: Any) -> bool:
-    """Several values, rather than one that is a sequence of numbers."""
-    if isinstance(value, (str, os.PathLike)) or not isinstance(value, Sequence):
-        return False
-    return not all(isinstance(part, numbers.Real) for part in value)
+def _each_of(value: Any) -> list[Any]:
+    """The values of an option that may have several; a sequence of numbers is one value."""
+    if isinstance(value, (str, os.PathLike)) or not isinstance(value, Iterable):
+        return [value]
+    parts = list(value)
+    numeric = parts and all(isinstance(part, numbers.Real) for part in parts)
+    return [parts] if numeric else parts
 
 
 def text(value: object, name: str) -> str:

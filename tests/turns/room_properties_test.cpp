@@ -311,6 +311,21 @@ TEST(RoomProperties, EdgesLieBetweenPointsOfWhichOneIsOnTheLand) {
   });
 }
 
+TEST(RoomProperties, EdgesLieBetweenPointsAlsoInLineWithThem) {
+  const LandEdges edges({{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {}}});
+  const std::vector<std::vector<Point>> ways{{{-1, 0}, {1, 0}, {1.5, -1}, {5, -5}},
+                                             {{-1, -1}, {0, 0}, {1, -0.5}, {1, 0.5}},
+                                             {{2, -1}, {2, 0.5}, {1, 0.5}, {2, 1}, {3, 1}},
+                                             {{1, 0.5}, {1, 0.5}}};
+  for (const std::vector<Point>& way : ways) {
+    bool inside = edges.contains(way.front());
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      inside = inside != edges.lie_between(way[i - 1], way[i]);
+      EXPECT_EQ(inside, edges.contains(way[i])) << way[i].x << ", " << way[i].y;
+    }
+  }
+}
+
 TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
   for_each_seed(12, [&](std::mt19937_64& random, int) {
     const int kind = any_of(random, 0, 2);

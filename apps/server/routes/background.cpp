@@ -29,6 +29,8 @@ void add_background_routes(Router& router, App& app) {
     const int zoom = tile_number(call, "z", kDeepest + 1);
     const int tiles = 1 << zoom;
     const int x = tile_number(call, "x", tiles), y = tile_number(call, "y", tiles);
+    if (zoom < app.background->first_zoom())
+      throw HttpError(Fault::kNotFound, "the background has no tiles of so far away");
     const io::MapTile tile = app.background->tile(zoom, x, y);
     response.set_header("Cache-Control", "private, max-age=600");
     response.set_content(tile.bytes, tile.type);

@@ -66,14 +66,22 @@ io::ObstacleStyle obstacles_in(const Call& call) {
   throw bad_input(fmt::format("obstacles is '{}', but has to be holes or polygons", word));
 }
 
+/// As of machine files.
+constexpr double kLowest_m = 0.5, kHighest_m = 1500;
+
 /// A machine file that says how high a drone flies, beside the file to write; none where it stays on the
 /// ground.
 std::filesystem::path flight_file(const Call& call, const KeptPlan& plan, const std::filesystem::path& file) {
   const double altitude_m = call.query_number("flight_altitude_m");
   if (std::isnan(altitude_m)) return {};
+  if (altitude_m < kLowest_m || altitude_m > kHighest_m)
+    throw bad_input(fmt::format("flight_altitude_m is {}, but has to lie between {} and {} m", altitude_m,
+                                kLowest_m, kHighest_m));
   std::filesystem::path out = file;
   out.replace_filename("machine.toml");
-  std::ofstream(out) << fmt::format("width_m = {}\nflight_altitude_m = {}\n", plan.width_m, altitude_m);
+  std::ofstream written(out);
+  written << fmt::format("width_m = {}\nflight_altitude_m = {}\n", plan.width_m, altitude_m);
+  if (!written.flush()) throw failure("the altitude could not be written: the disk may be full");
   return out;
 }
 

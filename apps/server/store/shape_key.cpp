@@ -18,6 +18,12 @@ class Digest {
       state_ *= 0x100000001b3U;
     }
   }
+  void add(const LocalFrame& frame) {
+    constexpr double kPerDegree = 1e8, kPerMetre = 1000;
+    add(frame.geodetic ? 1 : 0);
+    add(std::llround((frame.geodetic ? frame.origin_lon_deg * kPerDegree : frame.origin_x_m * kPerMetre)));
+    add(std::llround((frame.geodetic ? frame.origin_lat_deg * kPerDegree : frame.origin_y_m * kPerMetre)));
+  }
   void add(const Ring& ring) {
     constexpr double kPerMetre = 1000;
     add(static_cast<std::int64_t>(ring.size()));
@@ -36,6 +42,7 @@ class Digest {
 
 std::string shape_key(const Field& field) {
   Digest digest;
+  digest.add(field.frame);
   digest.add(field.outer);
   for (const Obstacle& obstacle : field.obstacles) {
     digest.add(obstacle.kind == ObstacleKind::kPassable ? 1 : 0);

@@ -76,6 +76,10 @@ class Batch(TramlineAlgorithm):
         named = self.parameterAsString(parameters, "ID_FIELD", context)
         resume = self.parameterAsBoolean(parameters, "RESUME", context)
         folder = self.parameterAsFileOutput(parameters, OUTPUT, context)
+        if resume and named:
+            raise QgsProcessingException(
+                "A register whose fields are named by one of its columns is copied, so that it cannot be gone on with: leave the field with names out from the first run on."
+            )
         parcels = given_layer(self, parameters, FIELD, context, feedback, named)
         if resume and parcels.file.startswith(self.folder):
             raise QgsProcessingException(

@@ -3,6 +3,7 @@
 import os
 
 from qgis.core import (
+    NULL,
     QgsFeatureRequest,
     QgsFeatureSink,
     QgsField,
@@ -109,7 +110,7 @@ def _copy(source, file, name, id_field, context, feedback):
         own = feature.attributes()
         row = [feature.id() if feature.id() >= 0 else number]
         if id_at >= 0:
-            row.append(None if own[id_at] is None else str(own[id_at]))
+            row.append(None if own[id_at] in (None, NULL) else str(own[id_at]))
         feature.setFields(fields)
         feature.setAttributes(row + [own[i] for i in kept])
         if not writer.addFeature(feature, QgsFeatureSink.FastInsert):

@@ -146,6 +146,9 @@ TEST_F(LandTest, PlansKnowOfWhichShapeTheyAre) {
   // Without the pole it is the shape that was planned, whenever that is.
   EXPECT_EQ(served.patch("/fields/" + field, {{"remove", {1}}}).status, 200);
   EXPECT_FALSE(earlier());
+  // The same shape a hundred metres farther east is another field.
+  EXPECT_EQ(served.patch("/fields/" + field, {{"boundary", box(0.5, 0, 1.5, 1)}}).status, 200);
+  EXPECT_TRUE(earlier());
 }
 
 }  // namespace

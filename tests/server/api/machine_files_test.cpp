@@ -42,7 +42,11 @@ TEST_F(ServerTest, WritesTheFilesThatTheProgramExports) {
 
   EXPECT_EQ(file("dji").status, 400) << "how high, nobody has said";
   EXPECT_EQ(file("isoxml4?lines=some").status, 400);
-  EXPECT_EQ(file("mission?flight_altitude_m=-1").status, 400);
+  for (const char* word : {"mission?flight_altitude_m=-1", "mission?flight_altitude_m=2000"}) {
+    EXPECT_EQ(file(word).status, 400);
+    EXPECT_NE(file(word).message().find("between 0.5 and 1500 m"), std::string::npos) << file(word).message();
+    EXPECT_EQ(file(word).message().find('/'), std::string::npos) << "no path of the server";
+  }
   EXPECT_EQ(file("isoxml5").status, 404);
   EXPECT_NE(file("isoxml5").message().find("agopengps"), std::string::npos);
 }
@@ -50,7 +54,7 @@ TEST_F(ServerTest, WritesTheFilesThatTheProgramExports) {
 TEST_F(ServerTest, SaysWhyThereIsNoRouteOrCard) {
   const std::string field = served.field_of("plain-metres.gpkg");
   const std::string plan = served.planned(field, {{"route", false}});
-  const Got route = served.get("/plans/" + plan + "/files/gpx");
+  const Got route = served.get("/plans/" + plan + "/files/ros-yaml");  // which takes plain metres
   EXPECT_EQ(route.status, 400);
   EXPECT_NE(route.message().find("no route; plan the whole job"), std::string::npos) << route.message();
   EXPECT_EQ(route.message().find(folder.path().string()), std::string::npos) << route.message();

@@ -14,8 +14,9 @@ const byHand = (): ByHand => {
 /** The plan on the map is what edits are held against, as long as nobody had a hand in it. */
 function keepBest(): void {
   const { open } = plans.get();
-  const { line, land } = form.get();
-  if (!open || line || land.length > 0) return;
+  if (!open || open.asked?.settings?.line || open.asked?.settings?.land?.length) return;
+  const { best } = hand.get();
+  if (open.summary.cut_short && best?.field === open.field) return;
   const { whole_cost, overlap_m2, uncovered_m2, turns, stops } = open.summary;
   hand.set({ best: { field: open.field, euros: whole_cost?.euros ?? null, rates: whole_cost?.rates ?? null, counts: { overlap_m2, uncovered_m2, turns, stops } } });
 }
@@ -27,6 +28,8 @@ function planned(): void {
 }
 
 export function edit(change: Partial<ByHand>): void {
+  const before = byHand();
+  if (JSON.stringify({ ...before, ...change }) === JSON.stringify(before)) return;
   keepBest();
   hand.set({ past: [...hand.get().past, byHand()], future: [] });
   form.set(change);

@@ -44,7 +44,11 @@ export function guideWithin(geometry: Geometry, shapes: FeatureCollection | unde
   const ring = outerRing(geometry);
   const there = linesOf(shapes).filter((line) => line.length > 1 && inside(ring, middleOf(line)));
   const line = longest(there);
-  if (!line) return null;
+  return line && borderBeside(line, width_m);
+}
+
+/** The border of the swath of a track, along which the same tracks lie; a track that bends is itself what others follow. */
+export function borderBeside(line: Place[], width_m: number): Place[] {
   if (!straight(line)) return line;
   const [from, to] = [line[0]!, line[line.length - 1]!];
   const [east, north] = between(from, to);

@@ -44,7 +44,7 @@ export function Search({ label, typed, found, all, list, change }: Props) {
       <label for={id}>{label}</label>
       <input id={id} type="search" autocomplete="off" spellcheck={false} value={typed} onInput={(event) => change(event.currentTarget.value)} onKeyDown={keys} />
       <p class="hint" role="status">
-        {typed.trim() === '' ? `${plural(all, 'field')}.` : found === 0 ? t`None of ${plural(all, 'field')} has these words. Type fewer letters.` : t`${found} of ${plural(all, 'field')}.`}
+        {typed.trim() === '' ? `${plural(all, 'field')}.` : found === 0 ? t`None of ${plural(all, 'field')} has these words. Type fewer letters.` : t`Found: ${found} of ${plural(all, 'field')}.`}
       </p>
     </div>
   );

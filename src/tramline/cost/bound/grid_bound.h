@@ -41,9 +41,10 @@ struct BoundTerms {
 /// middle grid, less what they can change by, or λu·m where no grid of the box drives (undriven_rows.h); and
 /// λt for each piece that must be driven. Where λo and λu are far apart, lower values of the greater one
 /// bound the cost too, and change less as the boundary moves: the best of them counts. Stretches that a
-/// detour may come near are not charged. Tends to the cost as the box shrinks, obstacles apart, under the end
-/// rule `cheapest`. Strips are charged only until their sum has reached `enough`: a smaller result is the
-/// whole bound, and a box that is no better than `enough` is recognised sooner. O(n + K log K).
+/// detour may come near are charged as the terms say (NearObstacles). Tends to the cost as the box shrinks,
+/// obstacles apart, under the end rule `cheapest`. Strips are charged only until their sum has reached
+/// `enough`: a smaller result is the whole bound, and a box that is no better than `enough` is recognised
+/// sooner. O(n + K log K).
 double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box,
                   double enough = std::numeric_limits<double>::infinity());
 

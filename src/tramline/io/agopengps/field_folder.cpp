@@ -83,7 +83,9 @@ Track next_track(FieldRows& rows) {
   const Point a = rows.place(), b = rows.place();
   rows.numbers(1);  // nudge: how far the driver has moved it aside
   const std::string mode = rows.text();
-  out.mode = static_cast<int>(digits_in(mode).value_or(-1));
+  constexpr long long kMostMode = 1000;
+  const long long number = digits_in(mode).value_or(-1);
+  out.mode = number <= kMostMode ? static_cast<int>(number) : -1;
   if (out.mode < 0) rows.refuse(fmt::format("a mode of the track is expected, not '{}'", mode));
   rows.text();  // shown or hidden
   out.points = rows.places(rows.count());

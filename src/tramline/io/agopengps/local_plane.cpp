@@ -32,7 +32,7 @@ Point LocalPlane::to_plane(Point lonlat) const {
 
 Point LocalPlane::to_lonlat(Point metres) const {
   const double latitude = start_.y + metres.y / latitude_degree_m_;
-  return {std::remainder(start_.x + metres.x / longitude_degree_m(latitude), 360), latitude};
+  return {start_.x + metres.x / longitude_degree_m(latitude), latitude};
 }
 
 }  // namespace tramline::io

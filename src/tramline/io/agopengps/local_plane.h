@@ -18,7 +18,7 @@ class LocalPlane {
   explicit LocalPlane(Point start_lonlat);
 
   Point to_plane(Point lonlat) const;
-  /// Longitudes in [-180, 180].
+  /// Longitudes go on beyond 180° where the field lies across the date line, so that it is in one piece.
   Point to_lonlat(Point metres) const;
 
  private:

@@ -123,6 +123,7 @@ void add_partfield(const pugi::xml_node& partfield, const std::string& file, Raw
       continue;
     }
     RawFeature obstacle = feature_of(obstacles, id);
+    obstacle.attributes = boundary.attributes;
     RawFeature& target = is_boundary ? boundary : obstacle;
     for (RawPolygon& part : *polygons) target.polygons.push_back(std::move(part));
     if (!is_boundary) obstacles.features.push_back(std::move(obstacle));

@@ -34,6 +34,14 @@ constexpr double kHalf_m = 20037508.342789244;
 /// Of a file without overviews: a tile is put together from 2^5 × 256 pixels squared at most.
 constexpr int kLevelsWithoutOverviews = 5;
 
+/// How many levels below the last one overviews reach.
+int levels_of_overviews(GDALRasterBand& band) {
+  const int count = band.GetOverviewCount();
+  if (count == 0) return 0;
+  const double coarsest = std::max(1, band.GetOverview(count - 1)->GetXSize());
+  return static_cast<int>(std::floor(std::log2(std::max(1.0, band.GetXSize() / coarsest))));
+}
+
 double pixel_m(int zoom) { return 2 * kHalf_m / kTile_px / std::exp2(zoom); }
 
 Point lonlat_of(Point mercator_m) {
@@ -205,8 +213,8 @@ BackgroundMap::BackgroundMap(const std::filesystem::path& file)
   constexpr double kAlmost = 0.05;  // tiles of whole levels differ from these by rounding
   last_zoom_ =
       std::clamp(static_cast<int>(std::ceil(std::log2(pixel_m(0) / extent.pixel_m) - kAlmost)), 0, kDeepest);
-  const bool overviews = raster.GetRasterBand(1)->GetOverviewCount() > 0;
-  first_zoom_ = overviews ? 0 : std::max(0, last_zoom_ - kLevelsWithoutOverviews);
+  first_zoom_ =
+      std::max(0, last_zoom_ - levels_of_overviews(*raster.GetRasterBand(1)) - kLevelsWithoutOverviews);
 }
 
 BackgroundMap::~BackgroundMap() = default;

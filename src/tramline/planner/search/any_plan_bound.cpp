@@ -73,15 +73,34 @@ double distance_of(const Box& a, const Box& b) {
                     std::max({0.0, a.min_y - b.max_y, b.min_y - a.max_y}));
 }
 
+/// Whether the border of the ground comes between two boxes, so that a track from one to the other may be
+/// interrupted there and one detour go round both.
+bool are_parted(const Box& a, const Box& b, double reach, const Region& ground) {
+  Box both = a;
+  both.extend(b);
+  both = both.grown(reach);
+  for (const Polygon& part : ground) {
+    Point from = part.outer.back();
+    for (const Point to : part.outer) {
+      if (intersects(bounds(from, to), both)) return true;
+      from = to;
+    }
+  }
+  return false;
+}
+
 /// A detour that would run into a further obstacle goes round that one too, and two that would meet are one:
-/// obstacles nearer to one another than detours reach are one group.
-std::vector<DetourGroup> detour_groups(const std::vector<Hazard>& hazards, const Detouring& terms) {
+/// obstacles nearer to one another than detours reach are one group, and so are those between which the
+/// ground ends.
+std::vector<DetourGroup> detour_groups(const std::vector<Hazard>& hazards, const Region& ground,
+                                       const Detouring& terms) {
   std::vector<DetourGroup> out;
   for (const Hazard& hazard : hazards) {
     DetourGroup one{bounds(hazard.shape), hazard.shape.outer, 1 + reflex_corners(hazard.shape.outer)};
     for (std::size_t i = 0; i < out.size();) {
       const double reach = reach_m(one.diameter_m(), terms) + reach_m(out[i].diameter_m(), terms);
-      if (distance_of(one.box, out[i].box) > reach + 2 * terms.width_m) {
+      if (distance_of(one.box, out[i].box) > reach + 2 * terms.width_m &&
+          !are_parted(one.box, out[i].box, terms.width_m, ground)) {
         ++i;
         continue;
       }
@@ -301,7 +320,7 @@ double least_cost_of_any_plan(const SearchTask& task) {
   const double radius_m = 0.5 * std::hypot(box.width(), box.height());
   const Detouring terms{width_m, std::max(task.machine.radius_m, 0.5 * width_m),
                         task.settings.avoid != Avoidance::kPaper};
-  const std::vector<DetourGroup> groups = detour_groups(task.ground.hazards, terms);
+  const std::vector<DetourGroup> groups = detour_groups(task.ground.hazards, task.ground.plannable, terms);
 
   const double side_m = std::max(0.5 * width_m, std::sqrt(box.width() * box.height() / kMostCells));
   std::vector<Cell> cells =

@@ -14,7 +14,8 @@ struct TrackTour {
 };
 
 /// Whether a way costs as much as the same one driven from its end, as it does where nothing reaches ahead of
-/// the axle or behind it.
+/// the axle or behind it. Ways are found by a search that begins at one end, so those of the other sense may
+/// differ by a little all the same.
 enum class Senses { kCostTheSame, kDiffer };
 
 /// The ways of a given tour, as it is or, where that costs less, driven from its end.

@@ -37,9 +37,11 @@ StraightPaths straight_paths(const Hop& hop, const Turning& turning, const Strai
                    in_line_m)};
 }
 
-/// Whether there is room for them at least. An implement in tow is not in line yet where it is lowered.
+/// Whether there is room for them at least. An implement in tow is not in line yet where it is lowered, and
+/// paths with clothoids are given more room than straight ones: there nothing is ruled out.
 bool straight_ways_fit(const Hop& hop, const StraightWays& more, const AllowedLand& land,
                        const Machine& machine) {
+  if (machine.turning.steering_time_s > 0) return true;
   const Outline outline = outline_of(machine);
   const StraightPaths ways = straight_paths(hop, machine.turning, more);
   return land.fits(ways.before, outline) && (outline.tows() || land.fits(ways.after, outline));

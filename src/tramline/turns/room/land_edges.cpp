@@ -1,6 +1,7 @@
 #include "tramline/turns/room/land_edges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tramline/turns/outline/tolerances.h"
 
@@ -63,17 +64,27 @@ bool LandEdges::contains(Point p) const {
 }
 
 bool LandEdges::lie_between(Point a, Point b) const {
-  bool odd = false;
+  constexpr double kInLine_m = 1e-9;
   const Point way = b - a;
-  grid().each_meeting({std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)},
-                      [&](std::size_t i) {
-                        const EdgeIndex::Edge& edge = edges()[i];
-                        if ((cross(way, edge.from - a) > 0) == (cross(way, edge.to - a) > 0)) return;
-                        const Point along = edge.to - edge.from;
-                        if ((cross(along, a - edge.from) > 0) != (cross(along, b - edge.from) > 0))
-                          odd = !odd;
-                      });
-  return odd;
+  bool odd = false, in_line = false;
+  // On which side of a line a point is; `length_m`: of the vector along the line.
+  const auto is_left = [&in_line](double twice_area_m2, double length_m) {
+    if (std::abs(twice_area_m2) <= kInLine_m * length_m) in_line = true;
+    return twice_area_m2 > 0;
+  };
+  const double way_m = length(way);
+  grid().each_meeting(
+      {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)}, [&](std::size_t i) {
+        const EdgeIndex::Edge& edge = edges()[i];
+        const Point along = edge.to - edge.from;
+        const double along_m = length(along);
+        const bool ends_apart =
+            is_left(cross(way, edge.from - a), way_m) != is_left(cross(way, edge.to - a), way_m);
+        const bool points_apart =
+            is_left(cross(along, a - edge.from), along_m) != is_left(cross(along, b - edge.from), along_m);
+        if (ends_apart && points_apart) odd = !odd;
+      });
+  return in_line ? contains(a) != contains(b) : odd;
 }
 
 }  // namespace tramline

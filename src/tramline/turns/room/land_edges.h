@@ -20,8 +20,9 @@ class LandEdges {
   /// Even-odd over the edges that a ray to the right meets; points on an edge may go either way. About
   /// O(√n).
   bool contains(Point p) const;
-  /// Whether the edges enclose only one of two points: far quicker than contains() where they are near one
-  /// another. Even-odd over the edges between them; points on an edge may go either way.
+  /// Whether the edges enclose only one of two points, as contains() has them: far quicker where they are
+  /// near one another. Even-odd over the edges between them; where one of these is in line with a point, or
+  /// with the way from one to the other, contains() decides.
   bool lie_between(Point a, Point b) const;
 
  private:

@@ -5,7 +5,7 @@ import { note } from '../../actions/notices';
 import type { Geometry, Land, Place, PlanFull } from '../../api/types';
 import { area, degrees, length, money } from '../../format';
 import { bearing, distance, ringArea } from '../../metres';
-import { guideWithin, longestTrack, outerRing } from '../../map/tracks_on_map';
+import { borderBeside, guideWithin, longestTrack, outerRing } from '../../map/tracks_on_map';
 import { Button } from '../../parts/button';
 import type { Purpose } from '../../state/drawing';
 import { hand, type Best } from '../../state/hand';
@@ -59,7 +59,7 @@ export function HandForm({ plan }: { plan: PlanFull }) {
       <h2 id="hand-title">{t`By hand`}</h2>
       <div class="row">
         {track && (
-          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), { places: line && line.length === 2 ? line : [track[0]!, track[track.length - 1]!], changed: alongLine })}>
+          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), { places: line && line.length === 2 ? line : borderBeside([track[0]!, track[track.length - 1]!], plan.summary.width_m), changed: alongLine })}>
             {t`Drag the direction`}
           </Button>
         )}
