@@ -182,7 +182,7 @@ class GridSearch {
 
   /// A box that cannot cost less holds nothing worth finding.
   double target() const {
-    if (known_ && std::isfinite(*known_)) return *known_ - effort_.gap * std::abs(*known_);
+    if (known_) return std::isfinite(*known_) ? *known_ - effort_.gap * std::abs(*known_) : *known_;
     const FoundGrid& best = list_.best();
     if (!best.works) return std::numeric_limits<double>::infinity();
     const double cheapest = std::min(best.cost, rival_);
