@@ -34,7 +34,7 @@ PlanSettings random_settings(std::mt19937_64& random) {
 
 TEST(PlannedPlans, HoldOnRandomFields) {
   int planned = 0;
-  const int cases = case_count(60);
+  const int cases = case_count(40);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 4);

@@ -22,7 +22,7 @@ namespace {
 
 using testing::Scene;
 
-constexpr int kStandard = 150;
+constexpr int kStandard = 100;
 
 /// The plan, or nothing where no track fits.
 std::optional<Plan> try_plan(const Scene& scene, Avoidance avoid, int threads) {
