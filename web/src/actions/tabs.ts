@@ -47,11 +47,16 @@ async function lookAgain(): Promise<void> {
 const LEAST_MS = 2000;
 /** The lists were just loaded when this begins. */
 export function followOtherTabs(): void {
-  let last_ms = 0;
+  let last_ms = 0, timer = 0;
   const again = () => {
-    const now_ms = performance.now();
-    if (document.hidden || !session.get().reachable || session.get().locked || now_ms - last_ms < LEAST_MS) return;
-    last_ms = now_ms;
+    clearTimeout(timer);
+    if (document.hidden || !session.get().reachable || session.get().locked) return;
+    const early_ms = last_ms + LEAST_MS - performance.now();
+    if (early_ms > 0) {
+      timer = window.setTimeout(again, early_ms);
+      return;
+    }
+    last_ms = performance.now();
     void lookAgain().catch(() => {});
   };
   addEventListener('focus', again);
