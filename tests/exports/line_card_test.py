@@ -5,19 +5,13 @@ The field is 200 m by 100 m. With a working width of 10 m and two headland passe
 175 m from its western edge and reach from 20 m to 80 m north of its southern one.
 """
 
-import argparse
 import json
 import math
-import pathlib
 import re
 import subprocess
-import sys
-import tempfile
-import unittest
 
-from rectangle import LAT_DEGREE_M, LON_DEGREE_M, convergence_deg, place, write_field
+from rectangle import LAT_DEGREE_M, LON_DEGREE_M, OfRectangle, convergence_deg, place, run_tests, write_field
 
-TRAMLINE = ""
 TRACKS = 16
 NAME = "Große Breite"
 
@@ -26,29 +20,16 @@ def run(*args):
     return subprocess.run(args, check=True, capture_output=True, text=True).stdout
 
 
-class LineCards(unittest.TestCase):
+class LineCards(OfRectangle):
     @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+    def prepare(cls):
         write_field(cls.folder / "field.geojson", NAME)
-        meridian = "{},{},{},{}".format(*place(0, 0), *place(0, 100))
-        cls.plan = cls.planned("plan.gpkg", "--ab", meridian)
+        cls.plan = cls.planned("plan.gpkg", "--headlands", "2", "--ab", cls.meridian)
         cls.text = cls.card("card.pdf", cls.plan)
 
     @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    @classmethod
-    def planned(cls, name, *options):
-        run(TRAMLINE, "plan", str(cls.folder / "field.geojson"), "--width", "10", "--headlands", "2", *options, "--quiet",
-            "-o", str(cls.folder / name))
-        return str(cls.folder / name)
-
-    @classmethod
     def card(cls, name, *plans):
-        run(TRAMLINE, "export", *plans, "-o", str(cls.folder / name), "--quiet")
+        run(cls.tramline, "export", *plans, "-o", str(cls.folder / name), "--quiet")
         return run("pdftotext", "-layout", str(cls.folder / name), "-")
 
     def end(self, letter):
@@ -81,7 +62,7 @@ class LineCards(unittest.TestCase):
         self.assertIn("Working width: 10 m.", self.text)
         # Rectangles of 190 m by 90 m and of 170 m by 70 m, whose corners are arcs of 6 m: 560 + 480 - 8·6·(2 - π/2) = 1019 m.
         self.assertIn("Headland: 2 passes, 1.02 km, after the tracks.", self.text)
-        run(TRAMLINE, "export", self.plan, "-o", str(self.folder / "legs.geojson"), "--layer", "route", "--quiet")
+        run(self.tramline, "export", self.plan, "-o", str(self.folder / "legs.geojson"), "--layer", "route", "--quiet")
         legs = [leg["properties"] for leg in json.loads((self.folder / "legs.geojson").read_text())["features"]]
         hours = sum(leg["length_m"] / (2.5 if leg["work"] else 1.5) for leg in legs) / 3600
         kilometres = sum(leg["length_m"] for leg in legs) / 1000
@@ -105,7 +86,7 @@ class LineCards(unittest.TestCase):
         side = 1 if lat_b > lat_a else -1
         order = self.order()
         self.assertEqual(sorted(order), sorted(side * (i - mine) for i in range(TRACKS)))
-        run(TRAMLINE, "export", self.plan, "-o", str(self.folder / "tracks.geojson"), "--layer", "tracks", "--quiet")
+        run(self.tramline, "export", self.plan, "-o", str(self.folder / "tracks.geojson"), "--layer", "tracks", "--quiet")
         driven = json.loads((self.folder / "tracks.geojson").read_text())["features"]
         driven.sort(key=lambda track: track["properties"]["order"])
         from_west = [round(((track["geometry"]["coordinates"][0][0] - 9) * LON_DEGREE_M - 25) / 10) for track in driven]
@@ -120,7 +101,7 @@ class LineCards(unittest.TestCase):
 
     def test_a_page_for_each_field(self):
         write_field(self.folder / "field.geojson", "Οικόπεδο 7", east_m=300)
-        other = self.planned("other.gpkg", "--route", "none")
+        other = self.planned("other.gpkg", "--headlands", "2", "--route", "none")
         pages = self.card("cards.pdf", self.plan, other).split("\f")
         self.assertEqual([page.split("\n")[0].strip() for page in pages if page.strip()], [NAME, "Οικόπεδο 7"])
         self.assertIn("turns come on top, no route is planned.", pages[1])
@@ -132,15 +113,11 @@ class LineCards(unittest.TestCase):
         (self.folder / "guide.kml").write_text(
             '<kml xmlns="http://www.opengis.net/kml/2.2"><Placemark><LineString><coordinates>' + places +
             "</coordinates></LineString></Placemark></kml>")
-        text = self.card("curve.pdf", self.planned("curve.gpkg", "--guide", str(self.folder / "guide.kml"), "--route", "none"))
+        text = self.card("curve.pdf", self.planned("curve.gpkg", "--headlands", "2", "--guide", str(self.folder / "guide.kml"), "--route", "none"))
         self.assertIn("Curve 1", text)
         self.assertIn("a curve: these are its ends only; a display needs its points from a file", text)
         self.assertNotIn("heading", text)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--tramline", required=True)
-    options = parser.parse_args()
-    TRAMLINE = options.tramline
-    unittest.main(argv=sys.argv[:1])
+    run_tests()

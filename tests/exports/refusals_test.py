@@ -2,22 +2,17 @@
 """What cannot be written, in every format: exit code 2, one sentence, and nothing half-written. And names that are long or not
 ASCII, which can be written in all of them."""
 
-import argparse
 import json
 import pathlib
 import re
 import subprocess
-import sys
-import tempfile
-import unittest
 import xml.etree.ElementTree as xml
 import zipfile
 
 import yaml
 
-from rectangle import place, write_field
+from rectangle import OfRectangle, run_tests, write_field
 
-TRAMLINE = ""
 NAME = "Große Breite 田んぼ & <Süd> " + "lang " * 40
 ROUTES = ["gpx", "plan", "waypoints", "kmz", "yaml", "yml", "json"]
 LAYERS = ["geojson", "kml", "fgb", "zip", "pdf"]
@@ -27,31 +22,18 @@ flight_altitude_m = 3.0
 """
 
 
-class Exports(unittest.TestCase):
+class Exports(OfRectangle):
     @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+    def prepare(cls):
         write_field(cls.folder / "field.geojson", NAME)
         (cls.folder / "drone.toml").write_text(DRONE)
-        cls.plan = cls.planned("plan.gpkg", "--route", "--order", "adjacent")
-        cls.tracks = cls.planned("tracks.gpkg", "--route", "none")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    @classmethod
-    def planned(cls, name, *options):
-        meridian = "{},{},{},{}".format(*place(0, 0), *place(0, 100))
-        subprocess.run([TRAMLINE, "plan", str(cls.folder / "field.geojson"), "--width", "10", "--headlands", "1", "--ab", meridian,
-                        *options, "--quiet", "-o", str(cls.folder / name)], check=True)
-        return str(cls.folder / name)
+        cls.plan = cls.planned("plan.gpkg", "--headlands", "1", "--ab", cls.meridian, "--route", "--order", "adjacent")
+        cls.tracks = cls.planned("tracks.gpkg", "--headlands", "1", "--ab", cls.meridian, "--route", "none")
 
     def export(self, plan, target, *options):
         if str(target).endswith(".kmz"):
             options += ("--machine", str(self.folder / "drone.toml"))
-        return subprocess.run([TRAMLINE, "export", plan, "-o", str(target), *options], capture_output=True, text=True)
+        return subprocess.run([self.tramline, "export", plan, "-o", str(target), *options], capture_output=True, text=True)
 
     def refused(self, done, *mentioned):
         self.assertEqual(done.returncode, 2, done.stderr)
@@ -135,8 +117,4 @@ class Exports(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--tramline", required=True)
-    options = parser.parse_args()
-    TRAMLINE = options.tramline
-    unittest.main(argv=sys.argv[:1])
+    run_tests()
