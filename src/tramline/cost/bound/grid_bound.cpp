@@ -3,65 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "tramline/cost/bound/boundary_windows.h"
 #include "tramline/cost/bound/part_rows.h"
 #include "tramline/cost/bound/row_cost_bound.h"
+#include "tramline/cost/bound/strip_passages.h"
 #include "tramline/cost/bound/undriven_rows.h"
 #include "tramline/cost/tolerances.h"
 
 namespace tramline {
 namespace {
-
-/// Whether both are boxes of the same ring, but for the precision grid.
-bool is_same(const Box& a, const Box& b) {
-  return std::max({std::abs(a.min_x - b.min_x), std::abs(a.max_x - b.max_x), std::abs(a.min_y - b.min_y),
-                   std::abs(a.max_y - b.max_y)}) < kWidthTolerance;
-}
-
-bool contains_point(const Box& box, Point p) {
-  return box.min_x <= p.x && p.x <= box.max_x && box.min_y <= p.y && p.y <= box.max_y;
-}
-
-/// Extent along of the part of a ring between two coordinates across. Empty (from > to) where there is none.
-Interval extent_along(const Ring& ring, double left, double right) {
-  Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    if (std::max(from.x, b.x) < left || std::min(from.x, b.x) > right) continue;
-    for (const Point end : {from, b}) {
-      const double x = std::clamp(end.x, left, right);
-      const double y = from.x == b.x ? end.y : from.y + (b.y - from.y) * ((x - from.x) / (b.x - from.x));
-      out = {std::min(out.from, y), std::max(out.to, y)};
-    }
-  }
-  return out;
-}
-
-/// The points of a ring that lie farthest to either side among those in some rows.
-struct Farthest {
-  Point left{std::numeric_limits<double>::infinity(), 0};
-  Point right{-std::numeric_limits<double>::infinity(), 0};
-};
-
-Farthest farthest_across(const Ring& ring, const Interval& rows) {
-  Farthest out;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    if (std::max(from.y, b.y) < rows.from || std::min(from.y, b.y) > rows.to) continue;
-    for (const Point end : {from, b}) {
-      const double y = std::clamp(end.y, rows.from, rows.to);
-      const double x = from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y));
-      if (x < out.left.x) out.left = {x, y};
-      if (x > out.right.x) out.right = {x, y};
-    }
-  }
-  return out;
-}
 
 /// The strips of the middle grid, and how far those of the others may differ. A grid that is turned about
 /// the pivot by the angle a sees the boundary, strip by strip and but for a shift along, moved
@@ -101,14 +53,9 @@ class Bound {
     charges_near_ = for_proof_ && terms.detours == DetoursOf::kThisGrid &&
                     subfield_.ground.passable.empty() && subfield_.ground.beyond.empty() &&
                     subfield_.ground.field.empty();
-    if (charges_near_) {
-      for (std::size_t i = 1; i < subfield_.outline.size(); ++i) {
-        const Box hole = bounds(subfield_.outline[i]);
-        const auto same = [&hole](const Box& obstacle) { return is_same(hole, obstacle); };
-        if (std::any_of(subfield_.obstacles.begin(), subfield_.obstacles.end(), same))
-          holes_.push_back({&subfield_.outline[i], hole});
-      }
-    }
+    if (charges_near_)
+      passages_.emplace(subfield_, near_,
+                        PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_});
   }
 
   double least_cost(double enough) {
@@ -283,7 +230,7 @@ class Bound {
     const double over = objective_.overlap;
     double driven_m = 0;
     for (const Interval& stretch : common(driven_, pooled_)) driven_m += stretch.length();
-    const double driven = over * width_ * driven_m + passing_cost(k);
+    const double driven = over * width_ * driven_m + passages_->cost(driven_, pooled_, windows_);
     near_apart_ += driven;
     near_together_.constant += driven;
     subtract_land();
@@ -352,7 +299,7 @@ class Bound {
               [](const Interval& a, const Interval& b) { return a.from < b.from; });
     Intervals joined;
     for (const Interval& one : stretches_) append_joining(joined, one);
-    driven_ = without(joined, rows_of_obstacles(k));
+    driven_ = without(joined, passages_->enter(grid_, k));
     std::erase_if(driven_, [this](const Interval& one) { return one.length() < shortest_ + kNoPiece_m; });
   }
 
@@ -367,133 +314,6 @@ class Bound {
       inside ^= crossing.passes_middle;
       free_from = std::max(free_from, crossing.highest);
     }
-  }
-
-  /// A hole of the land, which is an obstacle.
-  struct Hole {
-    const Ring* ring;
-    Box box;
-  };
-
-  /// The part of a hole in the current strip.
-  struct HoleRows {
-    Interval rows;        ///< where it may reach into the strip
-    int edges = 0;        ///< edges that may
-    bool blocks = false;  ///< whether it does, in every grid
-    const Hole* hole = nullptr;
-  };
-
-  HoleRows rows_of(const Hole& hole, double left, double right) const {
-    HoleRows out;
-    out.hole = &hole;
-    const double low = left - shift_, high = right + shift_;
-    out.rows = extent_along(*hole.ring, low, high);
-    Point a = hole.ring->back();
-    for (const Point b : *hole.ring) {
-      out.edges += std::max(a.x, b.x) < low || std::min(a.x, b.x) > high ? 0 : 1;
-      a = b;
-    }
-    out.rows.from -= shear_ + kWidthTolerance;
-    out.rows.to += shear_ + kWidthTolerance;
-    const double inner = shift_ + 2 * kNoPiece_m;
-    out.blocks = hole.box.min_x < right - inner && hole.box.max_x > left + inner;
-    return out;
-  }
-
-  /// The rows in which an obstacle may be in the way, and sets hole_rows_.
-  Intervals rows_of_obstacles(int k) {
-    const double left = grid_.line(k), right = left + width_, touch = shift_ + kWidthTolerance;
-    hole_rows_.clear();
-    Intervals all;
-    for (const Hole& hole : holes_) {
-      if (hole.box.min_x > right + touch || hole.box.max_x < left - touch) continue;
-      const HoleRows rows = rows_of(hole, left, right);
-      if (rows.edges == 0) continue;
-      hole_rows_.push_back(rows);
-      all.push_back(rows.rows);
-    }
-    const auto is_hole = [this](const Box& box) {
-      return std::any_of(holes_.begin(), holes_.end(),
-                         [&box](const Hole& hole) { return is_same(hole.box, box); });
-    };
-    for (const Box& box : subfield_.obstacles)
-      if (box.min_x <= right + touch && box.max_x >= left - touch && !is_hole(box))
-        all.push_back({box.min_y - shear_ - kWidthTolerance, box.max_y + shear_ + kWidthTolerance});
-    std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    Intervals out;
-    for (const Interval& one : all) append_joining(out, one);
-    return out;
-  }
-
-  /// Least cost of getting past the obstacles of a strip between the pieces that are driven for certain: a
-  /// cut, or the rows in between and what a detour is longer. One detour may pass several of them.
-  double passing_cost(int k) {
-    const double cut = objective_.turn + 2 * objective_.stop;
-    std::vector<Passage> passages;
-    for (std::size_t i = 0; i + 1 < driven_.size(); ++i) {
-      const Interval between{driven_[i].to, driven_[i + 1].from};
-      if (!only_holes_in(between)) continue;
-      Passage passage;
-      for (const Interval& one : common({between}, pooled_)) passage.rows_m += one.length();
-      for (const HoleRows& rows : hole_rows_)
-        if (rows.blocks && rows.rows.from <= between.to && rows.rows.to >= between.from)
-          passage.longer_m = std::max(passage.longer_m, longer_round(*rows.hole, k));
-      passages.push_back(passage);
-    }
-    double sum = 0;
-    for (const Passage& passage : passages) {
-      const double longer_m = passage.longer_m / static_cast<double>(passages.size());
-      sum += std::min(cut, objective_.overlap * width_ * (passage.rows_m + longer_m));
-    }
-    return sum;
-  }
-
-  struct Passage {
-    double rows_m = 0;    ///< between two pieces
-    double longer_m = 0;  ///< by which a detour is longer than its rows, at least
-  };
-
-  /// By how much a detour of the strip round the hole, on either side, is longer than its rows: it has to
-  /// pass the hole's farthest point in those rows by half a width, and it has no more rows for the way there
-  /// and back than from the ends of its zone.
-  double longer_round(const Hole& hole, int k) const {
-    const double left = grid_.line(k) + shift_ + 2 * kNoPiece_m,
-                 right = grid_.line(k + 1) - shift_ - 2 * kNoPiece_m;
-    const double turned = 2 * (tangent_ * (hole.box.width() + hole.box.height() + 2 * width_) + shear_);
-    Interval rows = extent_along(*hole.ring, left, right);
-    rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
-    if (rows.from >= rows.to) return 0;
-    const auto zone = std::find_if(near_.begin(), near_.end(), [&hole](const DetourZone& one) {
-      return contains_point(one.obstacles, hole.box.centre());
-    });
-    if (zone == near_.end()) return 0;
-    const Farthest far = farthest_across(*hole.ring, rows);
-    const double centre = grid_.centre(k);
-    const auto longer_by = [&](Point past, double aside) {
-      const double rise = std::max(0.0, aside + 0.5 * width_ - shift_ - kNoPiece_m);
-      const double reach = 2 * detour_reach_ + kDetourFoot * rise + turned + width_ * kNoPiece_m;
-      double sum = 0;
-      for (const double run :
-           {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
-        sum += std::hypot(run, rise) - run;
-      return sum;
-    };
-    return std::min(longer_by(far.left, centre - far.left.x), longer_by(far.right, far.right.x - centre));
-  }
-
-  /// Whether all of the boundary between two pieces is that of holes, of which one is in the way.
-  bool only_holes_in(const Interval& between) const {
-    int edges = 0, parts = 0;
-    bool blocked = false;
-    for (const HoleRows& rows : hole_rows_) {
-      if (rows.rows.from > between.to || rows.rows.to < between.from) continue;
-      edges += rows.edges;
-      blocked = blocked || rows.blocks;
-    }
-    for (const BoundaryWindow& window : windows_)
-      for (const BoundaryPart& part : window.parts)
-        parts += part.lowest() <= between.to + shear_ && part.highest() >= between.from - shear_ ? 1 : 0;
-    return blocked && parts == edges;
   }
 
   void add_passage(std::size_t i) {
@@ -626,8 +446,7 @@ class Bound {
   bool for_proof_ = false;
   bool charges_near_ = false;  ///< whether land that detours may work is charged too
   std::vector<DetourZone> near_;
-  std::vector<Hole> holes_;
-  std::vector<HoleRows> hole_rows_;  ///< of the current strip, as what follows
+  std::optional<StripPassages> passages_{};  ///< where it is
   Intervals pooled_, driven_, stretches_;
   double near_apart_ = 0;  ///< cost of the land that detours may work, each window at its least
   AffineBound near_together_;
