@@ -114,7 +114,8 @@ Intervals StripPassages::enter(const StripGrid& grid, int strip) {
   };
   for (const Box& box : subfield_.obstacles)
     if (box.min_x <= right + touch && box.max_x >= left - touch && !is_hole(box))
-      all.push_back({box.min_y - terms_.shear_m - kWidthTolerance, box.max_y + terms_.shear_m + kWidthTolerance});
+      all.push_back(
+          {box.min_y - terms_.shear_m - kWidthTolerance, box.max_y + terms_.shear_m + kWidthTolerance});
   std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
   Intervals out;
   for (const Interval& one : all) append_joining(out, one);
@@ -149,7 +150,8 @@ double StripPassages::cost(const Intervals& driven, const Intervals& pooled,
 double StripPassages::longer_round(const Hole& hole) const {
   const double left = left_ + terms_.shift_m + 2 * kNoPiece_m,
                right = right_ - terms_.shift_m - 2 * kNoPiece_m;
-  const double turned = 2 * (terms_.tangent * (hole.box.width() + hole.box.height() + 2 * terms_.width_m) + terms_.shear_m);
+  const double turned =
+      2 * (terms_.tangent * (hole.box.width() + hole.box.height() + 2 * terms_.width_m) + terms_.shear_m);
   Interval rows = extent_along(*hole.ring, left, right);
   rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
   if (rows.from >= rows.to) return 0;
@@ -158,12 +160,12 @@ double StripPassages::longer_round(const Hole& hole) const {
   });
   if (zone == zones_.end()) return 0;
   const Farthest far = farthest_across(*hole.ring, rows);
-    const auto longer_by = [&](Point past, double aside) {
+  const auto longer_by = [&](Point past, double aside) {
     const double rise = std::max(0.0, aside + 0.5 * terms_.width_m - terms_.shift_m - kNoPiece_m);
-    const double reach = 2 * terms_.detour_reach_m + kDetourFoot * rise + turned + terms_.width_m * kNoPiece_m;
+    const double reach =
+        2 * terms_.detour_reach_m + kDetourFoot * rise + turned + terms_.width_m * kNoPiece_m;
     double sum = 0;
-    for (const double run :
-         {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
+    for (const double run : {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
       sum += std::hypot(run, rise) - run;
     return sum;
   };
@@ -171,8 +173,7 @@ double StripPassages::longer_round(const Hole& hole) const {
 }
 
 /// Whether all of the boundary between two pieces is that of holes, of which one is in the way.
-bool StripPassages::only_holes_in(const Interval& between,
-                                   const std::vector<BoundaryWindow>& windows) const {
+bool StripPassages::only_holes_in(const Interval& between, const std::vector<BoundaryWindow>& windows) const {
   int edges = 0, parts = 0;
   bool blocked = false;
   for (const HoleRows& rows : rows_) {
@@ -182,7 +183,9 @@ bool StripPassages::only_holes_in(const Interval& between,
   }
   for (const BoundaryWindow& window : windows)
     for (const BoundaryPart& part : window.parts)
-      parts += part.lowest() <= between.to + terms_.shear_m && part.highest() >= between.from - terms_.shear_m ? 1 : 0;
+      parts += part.lowest() <= between.to + terms_.shear_m && part.highest() >= between.from - terms_.shear_m
+                   ? 1
+                   : 0;
   return blocked && parts == edges;
 }
 

@@ -1,0 +1,163 @@
+// Ways between ends: turns against all straight ways tried one after the other, and tours against the same
+// tours driven from their ends.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "properties/draws.h"
+#include "properties/random_field.h"
+#include "properties/seeds.h"
+#include "tramline/route/build/followed_lines.h"
+#include "tramline/route/build/known_costs.h"
+#include "tramline/route/build/track_tour.h"
+#include "tramline/route/turning/planned_turns.h"
+#include "tramline/turns/outline/outline.h"
+
+namespace tramline {
+namespace {
+
+using testing::for_each_seed;
+
+Machine random_machine(std::mt19937_64& random) {
+  Machine out;
+  out.width_m = uniform(random, 2, 9);
+  out.radius_m = uniform(random, 3, 8);
+  out.turning.reverse = any_of(random, 0, 1) == 1;
+  out.turning.lift_m = out.turning.lower_m = any_of(random, 0, 1) * uniform(random, 0, 3);
+  if (any_of(random, 0, 1) == 0) return out;
+  out.turning.front_overhang_m = uniform(random, 0, 4);
+  out.turning.vehicle_width_m = 2.5;
+  if (any_of(random, 0, 2) == 0) out.turning.steering_time_s = 3;
+  return out;
+}
+
+/// The ends of two tracks beside one another, near the edge of a field with pylons.
+struct Hopping {
+  Region land;
+  Hop hop;
+};
+
+Hopping random_hop(std::mt19937_64& random, const Machine& machine) {
+  const double slope = uniform(random, -0.5, 0.5), edge_m = uniform(random, 4, 28);
+  const auto edge = [&](double x) { return edge_m + slope * x; };
+  Polygon field{{{-45, -80}, {45, -80}, {45, edge(45)}, {-45, edge(-45)}}, {}};
+  const int pylons = any_of(random, 0, 2);
+  for (int i = 0; i < pylons; ++i) {
+    const double x = -30.0 + 30 * i + uniform(random, -8, 8), y = edge(x) - uniform(random, 2.5, 9);
+    field.holes.push_back({{x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}});
+  }
+  const double jump = machine.width_m * any_of(random, 1, 3) * (any_of(random, 0, 1) == 0 ? 1 : -1);
+  const Heading north = Heading::clockwise_from_north(Angle::degrees(0)),
+                south = Heading::clockwise_from_north(Angle::degrees(180));
+  return {{field}, {{{0, 0}, north}, {{jump, slope * jump}, south}}};
+}
+
+std::optional<Manoeuvre> first_of_all(const Hop& hop, const AllowedLand& land, const Machine& machine) {
+  const Outline outline = outline_of(machine);
+  const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
+  for (int sum = 0; sum <= 6; ++sum)
+    for (int before = 0; before <= sum; ++before)
+      for (const HopWay& way : manoeuvres_over(hop, machine, {before * step_m, (sum - before) * step_m}))
+        if (!way.over_tracks && land.fits(way.manoeuvre.path, outline)) return way.manoeuvre;
+  return std::nullopt;
+}
+
+TEST(TurnBeforeEnds, IsTheFirstOfAllStraightWays) {
+  int direct = 0, longer = 0, none = 0;
+  for_each_seed(1500, [&](std::mt19937_64& random, int) {
+    const Machine machine = random_machine(random);
+    const auto [region, hop] = random_hop(random, machine);
+    const AllowedLand land(region);
+    const std::optional<Manoeuvre> expected = first_of_all(hop, land, machine);
+    const std::optional<Manoeuvre> found = turn_before_ends(hop, land, machine, {});
+    ASSERT_EQ(found.has_value(), expected.has_value());
+    if (!found) {
+      ++none;
+      return;
+    }
+    EXPECT_EQ(found->word, expected->word);
+    EXPECT_EQ(length(found->path), length(expected->path));
+    const bool is_direct = std::ranges::any_of(manoeuvres_over(hop, machine, {}), [&](const HopWay& way) {
+      return length(way.manoeuvre.path) == length(found->path);
+    });
+    ++(is_direct ? direct : longer);
+  });
+  if (testing::case_count(1500) < 1500) return;
+  EXPECT_GT(direct, 150);
+  EXPECT_GT(longer, 10) << "straight ways are hardly ever needed";
+  EXPECT_GT(none, 50);
+}
+
+/// Tracks from south to north over a field whose edges slope, with as much land beyond their ends.
+struct Tracks {
+  Field field;
+  Region body;
+  std::vector<order::WorkedLine> lines;
+};
+
+Tracks random_tracks(std::mt19937_64& random, double width_m) {
+  const int count = any_of(random, 4, 12);
+  const double depth_m = uniform(random, 6, 18), low = uniform(random, -0.3, 0.3), high = uniform(random, -0.3, 0.3);
+  const double east = width_m * count;
+  const auto corner = [&](double x, double slope, double y) { return Point{x, y + slope * x}; };
+  Tracks out;
+  out.field.outer = {corner(-depth_m, low, -depth_m), corner(east + depth_m, low, -depth_m),
+                     corner(east + depth_m, high, 120 + depth_m), corner(-depth_m, high, 120 + depth_m)};
+  out.body = {{{corner(0, low, 0), corner(east, low, 0), corner(east, high, 120), corner(0, high, 120)}, {}}};
+  for (int i = 0; i < count; ++i) {
+    const double x = width_m * (i + 0.5);
+    TrackPiece piece{corner(x, low, 0), corner(x, high, 120)};
+    piece.track = i;
+    out.lines.push_back({piece});
+  }
+  return out;
+}
+
+double seconds_of(const TrackTour& tour) {
+  double out = 0;
+  for (const Way& way : tour.ways) out += way.cost_s;
+  return out;
+}
+
+auto lacking(const TrackTour& tour) {
+  return std::ranges::count_if(tour.ways, [](const Way& way) { return !way.has_room(); });
+}
+
+/// Where nothing reaches out, a tour costs about as much from its end: looking at one sense is enough.
+TEST(WithWays, OneSenseIsEnoughForABar) {
+  double one_s = 0, both_s = 0;
+  for_each_seed(60, [&](std::mt19937_64& random, int) {
+    Machine machine;
+    machine.width_m = uniform(random, 3, 7);
+    machine.radius_m = uniform(random, 3, 7);
+    const Tracks tracks = random_tracks(random, machine.width_m);
+    const AllowedLand land({{tracks.field.outer, {}}});
+    const DrivingGround ground(land, tracks.field, machine, tracks.body);
+    RoadmapOnDemand roadmap(
+        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); }, ground);
+    const Connector connector(ground, roadmap, 0);
+    std::vector<RouteLine> lines;
+    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
+    const LeastSeconds least(machine);
+    KnownCosts costs(lines, connector, least);
+    order::Tour tour;
+    for (std::size_t i = 0; i < lines.size(); ++i) tour.push_back(2 * i + i % 2);
+    for (int swaps = any_of(random, 0, 2); swaps > 0; --swaps)
+      std::swap(tour[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(tour.size()) - 1))], tour.front());
+    const TrackTour one = with_ways(tour, Senses::kCostTheSame, costs), both = with_ways(tour, Senses::kDiffer, costs);
+    EXPECT_EQ(one.ways.size() + 1, lines.size());
+    EXPECT_EQ(lacking(one), lacking(both));
+    EXPECT_LE(seconds_of(one), 1.1 * seconds_of(both) + 1);
+    one_s += seconds_of(one);
+    both_s += seconds_of(both);
+  });
+  EXPECT_LE(one_s, 1.01 * both_s);
+  EXPECT_GT(both_s, 0);
+}
+
+}  // namespace
+}  // namespace tramline
