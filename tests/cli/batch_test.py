@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import random
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -142,6 +143,28 @@ class Batch(unittest.TestCase):
         for name, given in (("file", shapes / "parcels.shp"), ("folder", shapes)):
             self.parcels = given
             self.assertIn("'contents'", self.run_batch(name, "--resume", code=2).stderr)
+
+    def test_changes_that_sqlite_keeps_beside_the_file_count(self):
+        features = [feature(number) for number in range(3)]
+        self.parcels.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+        table = self.folder / "parcels.gpkg"
+        subprocess.run(["ogr2ogr", "-f", "GPKG", "-lco", "SPATIAL_INDEX=NO", table, self.parcels, "-nln", "parcels"], check=True)
+        self.parcels = table
+        before = sqlite3.connect(table)
+        before.execute("PRAGMA journal_mode=WAL")
+        before.close()
+        self.run_batch("out", code=0)
+        self.run_batch("out", "--resume", code=0)
+        content = table.read_bytes()
+        edited = sqlite3.connect(table)  # as QGIS has it open
+        edited.execute("PRAGMA wal_autocheckpoint=0")
+        edited.execute("UPDATE parcels SET id = 'another' WHERE fid = 1")
+        edited.commit()
+        try:
+            self.assertEqual(table.read_bytes(), content, "the change is in the log alone")
+            self.assertIn("'contents'", self.run_batch("out", "--resume", code=2).stderr)
+        finally:
+            edited.close()
 
     def test_a_damaged_chunk_is_named(self):
         self.run_batch("out")

@@ -101,7 +101,8 @@ struct Tracks {
 
 Tracks random_tracks(std::mt19937_64& random, double width_m) {
   const int count = any_of(random, 4, 12);
-  const double depth_m = uniform(random, 6, 18), low = uniform(random, -0.3, 0.3), high = uniform(random, -0.3, 0.3);
+  const double depth_m = uniform(random, 6, 18), low = uniform(random, -0.3, 0.3),
+               high = uniform(random, -0.3, 0.3);
   const double east = width_m * count;
   const auto corner = [&](double x, double slope, double y) { return Point{x, y + slope * x}; };
   Tracks out;
@@ -138,7 +139,8 @@ TEST(WithWays, OneSenseIsEnoughForABar) {
     const AllowedLand land({{tracks.field.outer, {}}});
     const DrivingGround ground(land, tracks.field, machine, tracks.body);
     RoadmapOnDemand roadmap(
-        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); }, ground);
+        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
+        ground);
     const Connector connector(ground, roadmap, 0);
     std::vector<RouteLine> lines;
     for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
@@ -147,8 +149,10 @@ TEST(WithWays, OneSenseIsEnoughForABar) {
     order::Tour tour;
     for (std::size_t i = 0; i < lines.size(); ++i) tour.push_back(2 * i + i % 2);
     for (int swaps = any_of(random, 0, 2); swaps > 0; --swaps)
-      std::swap(tour[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(tour.size()) - 1))], tour.front());
-    const TrackTour one = with_ways(tour, Senses::kCostTheSame, costs), both = with_ways(tour, Senses::kDiffer, costs);
+      std::swap(tour[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(tour.size()) - 1))],
+                tour.front());
+    const TrackTour one = with_ways(tour, Senses::kCostTheSame, costs),
+                    both = with_ways(tour, Senses::kDiffer, costs);
     EXPECT_EQ(one.ways.size() + 1, lines.size());
     EXPECT_EQ(lacking(one), lacking(both));
     EXPECT_LE(seconds_of(one), 1.1 * seconds_of(both) + 1);

@@ -27,6 +27,8 @@ using testing_support::refusal_of;
 constexpr double kQuarter_m = 20037508.342789244 / 2;
 
 struct Picture {
+  double half_m = kQuarter_m;
+  int overview = 0;  ///< so many times coarser, if there is one
   GDALDataType type = GDT_Byte;
   int bands = 3;
   bool placed = true;
@@ -39,7 +41,7 @@ std::filesystem::path picture(const testing_support::TemporaryFolder& folder, co
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   const GDALDatasetUniquePtr file(driver->Create(path.c_str(), 64, 64, wanted.bands, wanted.type, nullptr));
   if (wanted.placed) {
-    std::array<double, 6> place{-kQuarter_m, kQuarter_m / 32, 0, kQuarter_m, 0, -kQuarter_m / 32};
+    std::array<double, 6> place{-wanted.half_m, wanted.half_m / 32, 0, wanted.half_m, 0, -wanted.half_m / 32};
     file->SetGeoTransform(place.data());
     OGRSpatialReference crs;
     crs.importFromEPSG(3857);
@@ -61,6 +63,9 @@ std::filesystem::path picture(const testing_support::TemporaryFolder& folder, co
     EXPECT_EQ(file->GetRasterBand(band)->RasterIO(GF_Write, 0, 0, 64, 64, pixels.data(), 64, 64, GDT_Int32, 0,
                                                   0, nullptr),
               CE_None);
+  }
+  if (wanted.overview > 0) {
+    EXPECT_EQ(file->BuildOverviews("NEAREST", 1, &wanted.overview, 0, nullptr, nullptr, nullptr), CE_None);
   }
   return path;
 }
@@ -101,10 +106,19 @@ TEST(BackgroundMap, LiesWhereItsFileSays) {
   EXPECT_EQ(map.last_zoom(), 0) << "a pixel of level 0 is 156,543 m wide, one of the file twice as wide";
 }
 
+// Pixels of a metre: those of level 17 are 1.19 m wide, of level 18 0.6 m.
+TEST(BackgroundMap, IsDrawnFromAsFarAsItsOverviewsReach) {
+  const testing_support::TemporaryFolder folder;
+  EXPECT_EQ(BackgroundMap(picture(folder, {.half_m = 32})).last_zoom(), 18);
+  EXPECT_EQ(BackgroundMap(picture(folder, {.half_m = 32})).first_zoom(), 13) << "five levels from nothing";
+  EXPECT_EQ(BackgroundMap(picture(folder, {.half_m = 32, .overview = 8})).first_zoom(), 10)
+      << "three more from an overview eight times as coarse";
+}
+
 TEST(BackgroundMap, DrawsTheTileThatIsAskedFor) {
   const testing_support::TemporaryFolder folder;
   for (const bool indexed : {false, true}) {
-    BackgroundMap map(picture(folder, {GDT_Byte, indexed ? 1 : 3, true, indexed}));
+    BackgroundMap map(picture(folder, {.bands = indexed ? 1 : 3, .indexed = indexed}));
     const MapTile world = map.tile(0, 0, 0);
     EXPECT_STREQ(world.type, "image/png");
     EXPECT_EQ(colour(world, 100, 128), (std::array<int, 4>{255, 0, 0, 255})) << indexed;
@@ -134,12 +148,12 @@ TEST(BackgroundMap, SaysWhatIsWrongWithAFile) {
       EXPECT_NE(said.find(part), std::string::npos) << said;
   }
   {
-    const std::string said = refusal(picture(folder, {GDT_UInt16}));
+    const std::string said = refusal(picture(folder, {.type = GDT_UInt16}));
     for (const char* part : {"land.tif", "UInt16", "gdal_translate"})
       EXPECT_NE(said.find(part), std::string::npos) << said;
   }
   {
-    const std::string said = refusal(picture(folder, {GDT_Byte, 3, false}));
+    const std::string said = refusal(picture(folder, {.placed = false}));
     for (const char* part : {"land.tif", "where it lies"})
       EXPECT_NE(said.find(part), std::string::npos) << said;
   }
