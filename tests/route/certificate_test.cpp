@@ -48,6 +48,41 @@ TEST(BoundOf, AnyPricesIsAtMostTheLeastOfAllTours) {
   });
 }
 
+TableCosts random_case_with_rings(int number, std::mt19937_64& random) {
+  TableCosts costs = testing::random_costs(static_cast<std::size_t>(any_of(random, 0, 3)), random);
+  testing::add_gates(static_cast<std::size_t>(number % 3), costs, random);
+  testing::add_rings(static_cast<std::size_t>(any_of(random, 1, 3)), costs, random);
+  costs.set_least(number % 2 == 0 ? 1 : 0.4);
+  return costs;
+}
+
+TEST(BoundOf, RingsIsAtMostTheLeastOfAllRoutes) {
+  testing::for_each_seed(200, [](std::mt19937_64& random, int number) {
+    const TableCosts costs = random_case_with_rings(number, random);
+    const double least_s = testing::least_of_all_routes(costs);
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<double> prices = random_prices(costs, random);
+      EXPECT_LE(bound_of(prices, costs), least_s + kBoundRounding_s);
+      EXPECT_NEAR(bound_of_pruned(prices, costs), bound_of(prices, costs), kBoundRounding_s);
+    }
+    EXPECT_LE(best_bound(costs, {least_s, 0}).bound_s, least_s + kBoundRounding_s);
+  });
+}
+
+// Tracks in a row 4 s from one to the next, and two rings: 3 s from the last track to the first ring, 5 s to
+// the other one. All else is dear.
+TEST(BestBound, OfRingsBehindTracksIsTheWayOverAll) {
+  TableCosts costs(5);
+  for (End a = 0; a < 10; ++a)
+    for (End b = 0; b < a; ++b) costs.set(a, b, b % 2 == 1 && a == b + 1 ? 4 : 20);
+  std::vector<double> first(10, 20), second(11, 20);
+  first[9] = 3;
+  second[10] = 5;
+  costs.add_ring(first);
+  costs.add_ring(second);
+  EXPECT_NEAR(best_bound(costs, {24, 0}).bound_s, 4 * 4 + 3 + 5, 1e-6);
+}
+
 /// The definition, tree by tree: every choice of one join fewer than there are lines and gates that closes no
 /// ring.
 double bound_by_all_trees(const std::vector<double>& prices, const TableCosts& costs) {

@@ -41,6 +41,14 @@ void add_gates(std::size_t gates, TableCosts& costs, std::mt19937_64& random) {
   costs.set_gates(std::move(starting), std::move(finishing));
 }
 
+void add_rings(std::size_t rings, TableCosts& costs, std::mt19937_64& random) {
+  for (std::size_t i = 0; i < rings; ++i) {
+    std::vector<double> to_nodes;
+    for (std::size_t node = 0; node < costs.nodes(); ++node) to_nodes.push_back(uniform(random, 1, 10));
+    costs.add_ring(std::move(to_nodes));
+  }
+}
+
 LeavingPoses rectangle(std::size_t tracks, double width_m, double length_m) {
   LeavingPoses out;
   for (std::size_t i = 0; i < tracks; ++i) {

@@ -12,7 +12,7 @@
 namespace tramline::testing {
 
 /// Costs by table, both for the search and for the bound: then the bound may not exceed the search. With
-/// `starting` and `finishing` filled the tour starts and finishes at gates.
+/// `starting` and `finishing` filled the tour starts and finishes at gates. Rings are of the bound alone.
 class TableCosts final : public order::EndCosts, public order::ConnectionBounds {
  public:
   explicit TableCosts(std::size_t lines) : between_(2 * lines, std::vector<double>(2 * lines, 0)) {}
@@ -22,6 +22,8 @@ class TableCosts final : public order::EndCosts, public order::ConnectionBounds 
     starting_ = std::move(starting);
     finishing_ = std::move(finishing);
   }
+  /// One more ring, by what connections to all nodes before it cost.
+  void add_ring(std::vector<double> costs_s) { rings_.push_back(std::move(costs_s)); }
   /// The lower bound of a cost is this part of it.
   void set_least(double share) { share_ = share; }
 
@@ -32,8 +34,10 @@ class TableCosts final : public order::EndCosts, public order::ConnectionBounds 
   double between(std::size_t a, std::size_t b) const override {
     if (a > b) return between(b, a);
     if (b < between_.size()) return between_[a][b];
+    if (is_ring(b)) return rings_[b - between_.size() - gates()][a];
     return b == between_.size() && !starting_.empty() ? starting_[a] : finishing_[a];
   }
+  std::size_t rings() const override { return rings_.size(); }
   double least(std::size_t a, std::size_t b) const override { return share_ * between(a, b); }
 
   order::Neighbours neighbours(std::size_t count = 10) const;
@@ -41,13 +45,15 @@ class TableCosts final : public order::EndCosts, public order::ConnectionBounds 
  private:
   std::vector<std::vector<double>> between_;
   std::vector<double> starting_, finishing_;  ///< by end
+  std::vector<std::vector<double>> rings_;
   double share_ = 1;
 };
 
 /// Any costs at all, from 1 to 10 s: no triangle inequality holds.
 TableCosts random_costs(std::size_t lines, std::mt19937_64& random);
-/// The same for as many gates.
+/// The same for as many gates. Before rings.
 void add_gates(std::size_t gates, TableCosts& costs, std::mt19937_64& random);
+void add_rings(std::size_t rings, TableCosts& costs, std::mt19937_64& random);
 
 /// Poses in which a machine leaves lines, by end.
 using LeavingPoses = std::vector<Pose>;

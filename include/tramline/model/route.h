@@ -36,9 +36,11 @@ struct RouteLeg {
 };
 
 /// Prices of the nodes of a route, which prove its bound (docs/route.md): no route over these pieces and
-/// passes takes this machine less than bound_s. Two for each line, the pieces in driving order of which
-/// crossings join several, at its start and at its end; two for each open headland pass, in the order of the
-/// passes; one for the gate at which the route starts and one for that at which it ends, where there are any.
+/// passes, with all passes before or after the tracks as asked, takes this machine less than bound_s. Two for
+/// each line, the pieces in driving order of which crossings join several, at its start and at its end; two
+/// for each open headland pass, in the order of the passes; one for the gate at which the route starts and
+/// one for that at which it ends, where there are any; one for each closed pass that has no sharp corners, in
+/// the order of the passes.
 struct RouteProof {
   double bound_s = 0;
   std::vector<double> node_prices_s{};

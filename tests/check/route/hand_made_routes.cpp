@@ -134,7 +134,8 @@ Plan passes_plan() {
   const Path round = entered_at(reversed(plan.headland.passes[0].path), 2);
   add_shortest(plan, driven(round).front().start);
   add_pass_leg(plan, 0, round);
-  plan.route.proof.node_prices_s.assign(2 * plan.pieces.size() + 2, 0);
+  // Two for each track and for the pass that is open now, one for the closed one.
+  plan.route.proof.node_prices_s.assign(2 * plan.pieces.size() + 2 + 1, 0);
   add_driven_over(plan);
   return timed(plan);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/turns/manoeuvres/dubins.h"
@@ -27,18 +28,27 @@ LeastSeconds::LeastSeconds(const Machine& machine)
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps) {}
 
-double LeastSeconds::forward(const Pose& left, const Pose& entered) const {
-  const double straight_m = turning_.lift_m + turning_.lower_m;
-  const double forward_m = straight_m + dubins_length(moved_on(left, turning_.lift_m),
-                                                      moved_on(entered, -turning_.lower_m), radius_m_);
+double LeastSeconds::forward(const Pose& left, double lift_m, const Pose& entered, double lower_m) const {
+  const double forward_m =
+      lift_m + lower_m + dubins_length(moved_on(left, lift_m), moved_on(entered, -lower_m), radius_m_);
   return forward_m / turning_.turning_speed_mps;
 }
 
+double LeastSeconds::forward(const Pose& left, const Pose& entered) const {
+  return forward(left, turning_.lift_m, entered, turning_.lower_m);
+}
+
 double LeastSeconds::between(const Pose& left, const Pose& entered) const {
-  const double forward_s = forward(left, entered);
+  return between(left, turning_.lift_m, entered, turning_.lower_m, std::numeric_limits<double>::infinity());
+}
+
+double LeastSeconds::between(const Pose& left, double lift_m, const Pose& entered, double lower_m,
+                             double known_s) const {
+  const double forward_s = forward(left, lift_m, entered, lower_m);
+  if (!reverses_) return forward_s;
   const double changes_s = 2 * turning_.gear_change_s;
-  if (!reverses_ || changes_s + least_reversing_m(left, entered, radius_m_) / fastest_mps_ >= forward_s)
-    return forward_s;
+  const double reversing_s = changes_s + least_reversing_m(left, entered, radius_m_) / fastest_mps_;
+  if (reversing_s >= std::min(forward_s, known_s)) return std::min(forward_s, reversing_s);
   return std::min(forward_s, changes_s + reeds_shepp_length(left, entered, radius_m_) / fastest_mps_);
 }
 

@@ -21,10 +21,19 @@ class LeastSeconds {
   double forward(const Pose& left, const Pose& entered) const;
   /// As between(), but at most as large, in a tenth of the time: along the straight line.
   double crude(const Pose& left, const Pose& entered) const;
+  /// The same with other distances straight on at both ends than the machine's, m; of what takes `known_s` or
+  /// longer any time from that on that is no longer.
+  double between(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
+  double lift_m() const { return turning_.lift_m; }
+  double lower_m() const { return turning_.lower_m; }
+  double turning_speed_mps() const { return turning_.turning_speed_mps; }
+  double fastest_mps() const { return fastest_mps_; }
   /// From a gate, or to one.
   double to_gate(Point gate, const Pose& pose) const { return distance(gate, pose.at) / fastest_mps_; }
 
  private:
+  double forward(const Pose& left, double lift_m, const Pose& entered, double lower_m) const;
+
   Turning turning_;
   double radius_m_;
   bool reverses_;

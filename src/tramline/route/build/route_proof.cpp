@@ -3,52 +3,14 @@
 #include <algorithm>
 
 #include "tramline/route/axle/axle_path.h"
+#include "tramline/route/build/least_connections.h"
 #include "tramline/route/build/least_seconds.h"
+#include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/best_bound.h"
 
 namespace tramline {
 namespace {
-
-/// The least times between the ends of lines and the gates, in the numbering of RouteProof.
-class LeastConnections final : public order::ConnectionBounds {
- public:
-  LeastConnections(std::vector<RouteLine> lines, std::vector<Point> gates, const LeastSeconds& least)
-      : lines_(lines.size()), gates_(std::move(gates)), least_(least) {
-    for (std::size_t end = 0; end < 2 * lines_; ++end) {
-      left_.push_back(pose_left_by(lines[order::line_of(end)], end));
-      entered_.push_back(pose_entered_by(lines[order::line_of(end)], end));
-    }
-  }
-
-  std::size_t lines() const override { return lines_; }
-  std::size_t gates() const override { return gates_.size(); }
-
-  double between(std::size_t a, std::size_t b) const override {
-    if (is_gate(a)) return to_gate(a, b);
-    if (is_gate(b)) return to_gate(b, a);
-    return std::min(least_.between(left_[a], entered_[b]), least_.between(left_[b], entered_[a]));
-  }
-
-  double least(std::size_t a, std::size_t b) const override {
-    if (is_gate(a)) return to_gate(a, b);
-    if (is_gate(b)) return to_gate(b, a);
-    return std::min(least_.crude(left_[a], entered_[b]), least_.crude(left_[b], entered_[a]));
-  }
-
- private:
-  bool is_gate(std::size_t node) const { return node >= 2 * lines_; }
-  double to_gate(std::size_t gate, std::size_t end) const {
-    const Point at = gates_[gate - 2 * lines_];
-    return std::min(least_.to_gate(at, left_[end]), least_.to_gate(at, entered_[end]));
-  }
-
-  std::size_t lines_;
-  std::vector<Point> gates_;
-  const LeastSeconds& least_;
-  std::vector<Pose> left_;
-  std::vector<Pose> entered_;
-};
 
 /// The lines in driving order, in the sense in which they are driven, and the open passes.
 std::vector<RouteLine> lines_of_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
@@ -61,6 +23,31 @@ std::vector<RouteLine> lines_of_proof(const RouteTask& task, const std::vector<o
   }
   for (std::size_t i = 0; i < task.headland.passes.size(); ++i)
     if (!is_closed(task.headland.passes[i])) out.push_back(route_line(task.headland.passes[i], i, turning));
+  return out;
+}
+
+std::vector<RingPlaces> rings_of_proof(const Headland& headland, const Turning& turning) {
+  std::vector<RingPlaces> out;
+  // Passes with sharp corners are no rings that a machine could drive along.
+  if (headland.construction != HeadlandConstruction::kDrivable) return out;
+  for (const HeadlandPass& pass : headland.passes)
+    if (is_closed(pass)) out.push_back(ring_places(pass, turning));
+  return out;
+}
+
+RouteMembers members_of_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
+                              const order::Tour& tour) {
+  RouteMembers out;
+  out.lines = lines_of_proof(task, lines, tour);
+  out.tracks = tour.size();
+  out.rings = rings_of_proof(task.headland, task.machine.turning);
+  const RouteSettings& asked = task.settings.route;
+  const bool has_passes = out.lines.size() > out.tracks || !out.rings.empty();
+  const auto passes_at = [&](PassTime time) {
+    return has_passes && (out.tracks == 0 || asked.passes == time);
+  };
+  if (asked.start) out.gates.push_back({*asked.start, passes_at(PassTime::kFirst)});
+  if (asked.end) out.gates.push_back({*asked.end, passes_at(PassTime::kLast)});
   return out;
 }
 
@@ -92,21 +79,18 @@ double fixed_seconds(const std::vector<RouteLeg>& legs, const std::vector<order:
 RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
                        const order::Tour& tour, const Route& route) {
   const LeastSeconds least(task.machine);
-  const Turning& turning = task.machine.turning;
   RouteProof out;
-  const double fixed_s = fixed_seconds(route.legs, lines, turning);
+  const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   double whole_s = 0;
   for (const RouteLeg& leg : route.legs) whole_s += leg.time_s;
-  std::vector<Point> gates;
-  for (const std::optional<Point>& gate : {task.settings.route.start, task.settings.route.end})
-    if (gate) gates.push_back(*gate);
-  const LeastConnections bounds(lines_of_proof(task, lines, tour), gates, least);
-  if (bounds.lines() == 0) {
+  const LeastConnections bounds(members_of_proof(task, lines, tour), task.machine.width_m, least);
+  if (bounds.lines() + bounds.rings() == 0) {
     out.bound_s = fixed_s;
     return out;
   }
-  order::PricedBound priced = order::best_bound(bounds, {std::max(0.0, whole_s - fixed_s), 0});
-  out.bound_s = fixed_s + std::max(0.0, priced.bound_s);
+  const double change_s = bounds.between_tracks_and_passes_s();
+  order::PricedBound priced = order::best_bound(bounds, {std::max(0.0, whole_s - fixed_s) + change_s, 0});
+  out.bound_s = fixed_s + std::max(0.0, priced.bound_s - change_s);
   out.node_prices_s = std::move(priced.prices_s);
   return out;
 }

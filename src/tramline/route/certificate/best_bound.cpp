@@ -56,7 +56,9 @@ class Ascent {
   /// One step. False where these prices are the best: every node is joined once, or the bound meets the known
   /// route.
   bool climb(const JoinTree& tree, double bound_s, double step) {
-    std::vector<double> excess(prices_s_.size(), -1);  // joins of each node beyond the one it should have
+    std::vector<double> excess(prices_s_.size());  // joins of each node beyond those it should have
+    for (std::size_t node = 0; node < excess.size(); ++node)
+      excess[node] = -static_cast<double>(bounds_.connections(node));
     for (const NodeJoin& join : tree.joins) {
       ++excess[join.a];
       ++excess[join.b];
@@ -85,7 +87,7 @@ class Ascent {
 std::size_t usual_steps(std::size_t lines) { return 80 + 25000 / std::max<std::size_t>(lines, 50); }
 
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
-  assert(bounds.lines() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);
+  assert(bounds.lines() + bounds.rings() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);
   NearJoins near(bounds);
   Ascent ascent(near, bounds, effort.known_s);
   std::size_t steps = effort.steps > 0 ? effort.steps : usual_steps(bounds.lines());

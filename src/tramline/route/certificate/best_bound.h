@@ -25,7 +25,7 @@ std::size_t usual_steps(std::size_t lines);
 
 /// Prices found by subgradient ascent (Held and Karp 1971) over near nodes, and the bound that they prove
 /// over all nodes. Where near nodes were not all that matter, those missing are added and the ascent goes on.
-/// Deterministic. Preconditions: at least one line, at most two gates, known_s ≥ 0.
+/// Deterministic. Preconditions: a line or a ring, at most two gates, known_s ≥ 0.
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort);
 
 }  // namespace tramline::order

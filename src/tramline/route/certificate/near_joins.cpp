@@ -14,8 +14,10 @@ constexpr NeighbourCounts kNearNodes{24, 8};
 }  // namespace
 
 NearJoins::NearJoins(const ConnectionBounds& bounds) : bounds_(bounds) {
-  const std::size_t line_nodes = 2 * bounds.lines();
-  const auto apart = [&](std::size_t a, std::size_t b) { return a >= line_nodes && b >= line_nodes; };
+  // A ring is near most ends: only those that are nearest to it count, or all others would lose neighbours.
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    return !bounds.may_join(a, b) || (bounds.is_ring(b) && !bounds.is_ring(a));
+  };
   const double never = std::numeric_limits<double>::max();
   const Neighbours near = neighbours_of(
       bounds.nodes(), [&](std::size_t a, std::size_t b) { return apart(a, b) ? never : bounds.least(a, b); },
@@ -37,10 +39,10 @@ void NearJoins::add(const std::vector<NodeJoin>& joins) {
 
 /// Adds joins until all members are in one set (Borůvka 1926, by least()).
 void NearJoins::join_all() {
-  JoinedSets sets(members(bounds_));
-  std::size_t count = members(bounds_);
+  JoinedSets sets(bounds_.members());
+  std::size_t count = bounds_.members();
   const auto join = [&](const NodeJoin& made) {
-    const bool joined = sets.join(member_of(made.a, bounds_.lines()), member_of(made.b, bounds_.lines()));
+    const bool joined = sets.join(bounds_.member_of(made.a), bounds_.member_of(made.b));
     if (joined) --count;
     return joined;
   };
@@ -55,12 +57,11 @@ void NearJoins::join_all() {
 
 /// From each set the join to another set that is the least by least().
 std::vector<NodeJoin> NearJoins::ways_between_sets(JoinedSets& sets) const {
-  const std::size_t lines = bounds_.lines();
-  std::vector<NodeJoin> best(members(bounds_), {0, 0, std::numeric_limits<double>::max()});
+  std::vector<NodeJoin> best(bounds_.members(), {0, 0, std::numeric_limits<double>::max()});
   for (std::size_t a = 0; a < bounds_.nodes(); ++a)
-    for (std::size_t b = 0; b < std::min(a, 2 * lines); ++b) {
-      const std::size_t set_a = sets.set_of(member_of(a, lines)), set_b = sets.set_of(member_of(b, lines));
-      if (set_a == set_b) continue;
+    for (std::size_t b = 0; b < a; ++b) {
+      const std::size_t set_a = sets.set_of(bounds_.member_of(a)), set_b = sets.set_of(bounds_.member_of(b));
+      if (set_a == set_b || !bounds_.may_join(a, b)) continue;
       const NodeJoin way{a, b, bounds_.least(a, b)};
       for (const std::size_t set : {set_a, set_b})
         if (way.cost_s < best[set].cost_s) best[set] = way;
@@ -70,8 +71,8 @@ std::vector<NodeJoin> NearJoins::ways_between_sets(JoinedSets& sets) const {
 }
 
 void NearJoins::index() {
-  const auto member = [&](std::size_t node) { return member_of(node, bounds_.lines()); };
-  first_.assign(members(bounds_) + 1, 0);
+  const auto member = [&](std::size_t node) { return bounds_.member_of(node); };
+  first_.assign(bounds_.members() + 1, 0);
   for (const NodeJoin& join : joins_)
     for (const std::size_t node : {join.a, join.b}) ++first_[member(node) + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -87,7 +88,7 @@ void NearJoins::index() {
 const JoinTree& NearJoins::tree(const std::vector<double>& prices_s) {
   tree_.joins.clear();
   tree_.sum_s = 0;
-  key_s_.assign(members(bounds_), std::numeric_limits<double>::max());
+  key_s_.assign(bounds_.members(), std::numeric_limits<double>::max());
   heap_.clear();
   reach_from(0, prices_s);
   while (!heap_.empty()) {

@@ -10,14 +10,14 @@ JoinTree least_tree(std::vector<NodeJoin> joins, const std::vector<double>& pric
   std::stable_sort(joins.begin(), joins.end(), [&](const NodeJoin& x, const NodeJoin& y) {
     return priced(x, prices_s) < priced(y, prices_s);
   });
-  JoinedSets sets(members(bounds));
+  JoinedSets sets(bounds.members());
   JoinTree out;
   for (const NodeJoin& join : joins) {
-    if (!sets.join(member_of(join.a, bounds.lines()), member_of(join.b, bounds.lines()))) continue;
+    if (!sets.join(bounds.member_of(join.a), bounds.member_of(join.b))) continue;
     out.joins.push_back(join);
     out.sum_s += priced(join, prices_s);
   }
-  assert(out.joins.size() + 1 == members(bounds));
+  assert(out.joins.size() + 1 == bounds.members());
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Connections between nodes, and the trees they form over lines and gates.
+// Connections between nodes, and the trees they form over lines, gates and rings.
 
 #include <cstddef>
 #include <numeric>
@@ -18,12 +18,6 @@ struct NodeJoin {
 inline double priced(const NodeJoin& join, const std::vector<double>& prices_s) {
   return join.cost_s + prices_s[join.a] + prices_s[join.b];
 }
-
-/// What a tree joins: lines, then gates. The member that a node belongs to.
-inline std::size_t member_of(std::size_t node, std::size_t lines) {
-  return node < 2 * lines ? node / 2 : node - lines;
-}
-inline std::size_t members(const ConnectionBounds& bounds) { return bounds.lines() + bounds.gates(); }
 
 /// The joins of a tree over all members, and the sum of their priced times, s.
 struct JoinTree {

@@ -14,25 +14,21 @@ namespace {
 /// The cheapest join of two members under prices, s.
 double least_between(std::size_t one, std::size_t other, const std::vector<double>& prices_s,
                      const ConnectionBounds& bounds) {
-  const std::size_t lines = bounds.lines();
-  const auto nodes = [lines](std::size_t member) {
-    return member < lines ? std::vector<std::size_t>{2 * member, 2 * member + 1}
-                          : std::vector<std::size_t>{member + lines};
-  };
   double least = std::numeric_limits<double>::infinity();
-  if (one >= lines && other >= lines) return least;
-  for (const std::size_t a : nodes(one))
-    for (const std::size_t b : nodes(other))
-      least = std::min(least, bounds.between(a, b) + prices_s[a] + prices_s[b]);
+  for (const std::size_t a : bounds.nodes_of(one))
+    for (const std::size_t b : bounds.nodes_of(other))
+      if (bounds.may_join(a, b)) least = std::min(least, bounds.between(a, b) + prices_s[a] + prices_s[b]);
   return least;
 }
 
 }  // namespace
 
 std::vector<std::size_t> open_nodes(const std::vector<double>& prices_s, const ConnectionBounds& bounds) {
-  assert(bounds.lines() >= 1 && bounds.gates() <= 2);
-  std::vector<std::size_t> out(2 * bounds.lines());
-  std::iota(out.begin(), out.end(), 0);
+  assert(bounds.lines() + bounds.rings() >= 1 && bounds.gates() <= 2);
+  std::vector<std::size_t> out;
+  for (std::size_t node = 0; node < bounds.nodes(); ++node)
+    if (!bounds.is_gate(node)) out.push_back(node);
+  if (out.size() == 1) out.push_back(out.front());  // a ring alone, where the route starts and finishes
   const std::size_t count = 2 - bounds.gates();
   std::partial_sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count), out.end(),
                     [&](std::size_t a, std::size_t b) {
@@ -43,7 +39,10 @@ std::vector<std::size_t> open_nodes(const std::vector<double>& prices_s, const C
 }
 
 double bound_with(double tree_s, const std::vector<double>& prices_s, const ConnectionBounds& bounds) {
-  double out = tree_s - std::accumulate(prices_s.begin(), prices_s.end(), 0.0);
+  double paid_s = 0;
+  for (std::size_t node = 0; node < prices_s.size(); ++node)
+    paid_s += static_cast<double>(bounds.connections(node)) * prices_s[node];
+  double out = tree_s - paid_s;
   for (const std::size_t node : open_nodes(prices_s, bounds)) out += prices_s[node];
   return out;
 }
@@ -51,7 +50,7 @@ double bound_with(double tree_s, const std::vector<double>& prices_s, const Conn
 double bound_of(const std::vector<double>& prices_s, const ConnectionBounds& bounds) {
   assert(prices_s.size() == bounds.nodes());
   // The tree of Prim (1957), from the first line on.
-  std::vector<double> key_s(members(bounds), std::numeric_limits<double>::infinity());
+  std::vector<double> key_s(bounds.members(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> outside(key_s.size());
   std::iota(outside.begin(), outside.end(), 0);
   double tree_s = 0;

@@ -9,17 +9,17 @@
 namespace tramline::order {
 
 /// The least time of all connections of a route together, as the prices of the nodes prove it: the least
-/// spanning tree over lines and gates, where joining two costs the least of the times between their nodes
-/// plus the prices of these nodes, less the sum of all prices, plus the smallest prices of as many line nodes
-/// as the route has ends without a gate (a route joins every node once, but for these). A bound for any
-/// prices. O(n²) calls of between(), none of least(). Precondition: a price for each node.
+/// spanning tree over lines, gates and rings, where joining two costs the least of the times between their
+/// nodes plus the prices of these nodes, less the prices of all connections, plus the smallest prices of as
+/// many nodes of lines and rings as the route has ends without a gate (there it makes one connection less). A
+/// bound for any prices. O(n²) calls of between(), none of least(). Precondition: a price for each node.
 double bound_of(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
 
 /// The same number but for rounding, with far fewer calls of between(). O(n²) calls of least(), O(n) memory.
 double bound_of_pruned(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
 
-/// The line nodes of the smallest prices, as many as a route has ends without a gate; among equals the first.
-/// Precondition: at least one line, at most two gates.
+/// The nodes of lines and rings with the smallest prices, as many as a route has ends without a gate; among
+/// equals the first. A ring alone counts twice. Precondition: a line or a ring, at most two gates.
 std::vector<std::size_t> open_nodes(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
 
 /// The bound, given the sum of the least spanning tree.

@@ -15,9 +15,9 @@ struct TreeEdge {
 class ShortcutSearch {
  public:
   ShortcutSearch(const JoinTree& tree, const std::vector<double>& prices_s, const ConnectionBounds& bounds)
-      : prices_s_(prices_s), bounds_(bounds), edges_(members(bounds)), most_s_(edges_.size()) {
+      : prices_s_(prices_s), bounds_(bounds), edges_(bounds.members()), most_s_(edges_.size()) {
     for (const NodeJoin& join : tree.joins) {
-      const std::size_t a = member_of(join.a, bounds.lines()), b = member_of(join.b, bounds.lines());
+      const std::size_t a = bounds.member_of(join.a), b = bounds.member_of(join.b);
       edges_[a].push_back({b, priced(join, prices_s)});
       edges_[b].push_back({a, priced(join, prices_s)});
     }
@@ -26,7 +26,7 @@ class ShortcutSearch {
   std::vector<NodeJoin> run() {
     for (std::size_t member = 0; member < edges_.size(); ++member) {
       find_most_expensive(member);
-      for (std::size_t other = 0; other < std::min(member, bounds_.lines()); ++other) look_at(member, other);
+      for (std::size_t other = 0; other < member; ++other) look_at(member, other);
     }
     return std::move(found_);
   }
@@ -47,14 +47,12 @@ class ShortcutSearch {
     }
   }
 
-  void look_at(std::size_t member, std::size_t line) {
-    const std::size_t lines = bounds_.lines();
-    const std::size_t first = member < lines ? 2 * member : member + lines;
-    const std::size_t last = member < lines ? first + 1 : first;
-    double least_s = most_s_[line];
+  void look_at(std::size_t member, std::size_t other) {
+    double least_s = most_s_[other];
     NodeJoin best;
-    for (std::size_t a = first; a <= last; ++a)
-      for (std::size_t b = 2 * line; b <= 2 * line + 1; ++b) {
+    for (const std::size_t a : bounds_.nodes_of(member))
+      for (const std::size_t b : bounds_.nodes_of(other)) {
+        if (!bounds_.may_join(a, b)) continue;
         const double price_s = prices_s_[a] + prices_s_[b];
         if (bounds_.least(a, b) + price_s >= least_s) continue;
         const NodeJoin join{a, b, bounds_.between(a, b)};

@@ -4,6 +4,7 @@
 
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/rules/rules.h"
+#include "tramline/check/tolerances.h"
 #include "tramline/check/turning/turning_ground.h"
 
 namespace tramline::check {

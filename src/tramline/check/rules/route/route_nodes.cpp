@@ -1,0 +1,174 @@
+#include "tramline/check/rules/route/route_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tramline/check/rules/route/route_facts.h"
+#include "tramline/check/tolerances.h"
+#include "tramline/check/turning/shortest_ways.h"
+
+namespace tramline::check {
+namespace {
+
+/// Places of closed passes: one for each metre, up to so many.
+constexpr double kMostPlaces = 500;
+constexpr double kWholeMetre_m = 1e-3;
+constexpr double kNextPasses_widths = 1.5;
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
+
+Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
+Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
+
+RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, bool of_passes) {
+  RouteNode out;
+  out.of_passes = of_passes;
+  out.left = {pose_of(arriving.axle(arriving.length_m()))};
+  out.entered = {pose_of(leaving.axle(0))};
+  return out;
+}
+
+class Nodes {
+ public:
+  explicit Nodes(const Plan& plan) : plan_(plan) {}
+
+  RouteNodes run() {
+    add_pieces();
+    const bool has_tracks = !out_.members.empty();
+    for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i)
+      if (!is_closed(plan_.headland.passes[i])) add_open_pass(i);
+    std::vector<std::size_t> closed;
+    // Along sharp corners nothing drives from one place to the next.
+    if (plan_.headland.construction == HeadlandConstruction::kDrivable)
+      for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i)
+        if (is_closed(plan_.headland.passes[i])) closed.push_back(i);
+    const bool has_open = !out_.nodes.empty() && out_.nodes.back().of_passes;
+    const bool has_passes = has_open || !closed.empty();
+    const RouteSettings& asked = plan_.settings.route;
+    const std::vector<RouteLeg>& legs = plan_.route.legs;
+    const auto passes_at = [&](PassTime time) { return has_passes && (!has_tracks || asked.passes == time); };
+    if (asked.start) add_gate(legs.front().path.front().start.at, passes_at(PassTime::kFirst));
+    if (asked.end) add_gate(last_place(legs.back().path).at, passes_at(PassTime::kLast));
+    for (const std::size_t pass : closed) add_closed_pass(pass);
+    return std::move(out_);
+  }
+
+ private:
+  void add_member(std::vector<RouteNode> nodes) {
+    out_.members.push_back({out_.nodes.size(), nodes.size()});
+    for (RouteNode& node : nodes) out_.nodes.push_back(std::move(node));
+  }
+
+  void add_pieces() {
+    const std::size_t count = plan_.pieces.size();
+    for (std::size_t first = 0, next = 0; first < count; first = next) {
+      for (next = first + 1; next < count && plan_.pieces[next].after_crossing;) ++next;
+      const auto back = [&](std::size_t i) {
+        return WorkedCourse(reversed(centre_line(plan_.pieces[i])), PathEnds::kApart, plan_.machine);
+      };
+      add_member({line_end(back(first), course_of_piece(plan_, first), false),
+                  line_end(course_of_piece(plan_, next - 1), back(next - 1), false)});
+      for (std::size_t i = first; i + 1 < next; ++i) {
+        const WorkedCourse before = course_of_piece(plan_, i);
+        out_.crossings_m +=
+            distance(before.axle(before.length_m()).at, course_of_piece(plan_, i + 1).axle(0).at);
+      }
+    }
+  }
+
+  void add_open_pass(std::size_t i) {
+    const WorkedCourse pass = course_of_pass(plan_, i, PassSense::kAlong),
+                       back = course_of_pass(plan_, i, PassSense::kAgainst);
+    add_member({line_end(back, pass, true), line_end(pass, back, true)});
+  }
+
+  void add_gate(Point at, bool of_passes) {
+    RouteNode gate;
+    gate.kind = NodeKind::kGate;
+    gate.of_passes = of_passes;
+    gate.left = gate.entered = {{at, Heading::clockwise_from_north(Angle::degrees(0))}};
+    add_member({gate});
+  }
+
+  void add_closed_pass(std::size_t i) {
+    RouteNode pass;
+    pass.kind = NodeKind::kClosedPass;
+    pass.of_passes = true;
+    for (const PassSense sense : {PassSense::kAlong, PassSense::kAgainst}) {
+      const WorkedCourse course = course_of_pass(plan_, i, sense);
+      const double places = std::clamp(std::ceil(course.length_m() - kWholeMetre_m), 1.0, kMostPlaces);
+      pass.step_m = course.length_m() / places;
+      for (double place = 0; place < places; ++place)
+        pass.left.push_back(pose_of(course.axle(place / places * course.length_m())));
+    }
+    pass.entered = pass.left;
+    add_member({pass});
+  }
+
+  const Plan& plan_;
+  RouteNodes out_;
+};
+
+/// Between the places of two nodes. Of closed passes those of one sense count.
+double least_distance_m(const RouteNode& a, const RouteNode& b) {
+  const auto places = [](const std::vector<Pose>& poses, const RouteNode& of) {
+    return of.kind == NodeKind::kClosedPass ? poses.size() / 2 : poses.size();
+  };
+  double out_m = kNever_s;
+  for (std::size_t i = 0; i < places(a.left, a); ++i)
+    for (std::size_t j = 0; j < places(b.entered, b); ++j)
+      out_m = std::min(out_m, distance(a.left[i].at, b.entered[j].at));
+  return out_m;
+}
+
+}  // namespace
+
+RouteNodes nodes_of_route(const Plan& plan) { return Nodes(plan).run(); }
+
+LeastWays::LeastWays(const Machine& machine)
+    : turning_(machine.turning),
+      width_m_(machine.width_m),
+      radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
+      reverses_(turning_.implement != Coupling::kTowed || !(turning_.drawbar_m > 0)),
+      fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
+                             : turning_.turning_speed_mps) {}
+
+/// From leaving by one pose to entering by another; `known_s` or more where it is no less.
+double LeastWays::least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m,
+                          double known_s) const {
+  const double straight_s = distance(left.at, entered.at) / fastest_mps_;
+  if (straight_s >= known_s) return straight_s;
+  const double forward_m =
+      lift_m + lower_m + least_forward_m(moved_on(left, lift_m), moved_on(entered, -lower_m), radius_m_);
+  const double forward_s = forward_m / turning_.turning_speed_mps;
+  const double changes_s = 2 * turning_.gear_change_s;
+  if (!reverses_ || changes_s + straight_s >= std::min(forward_s, known_s)) return forward_s;
+  return std::min(forward_s, changes_s + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
+}
+
+/// At a closed pass the implement is lifted and lowered anywhere along it.
+double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to) const {
+  const double lift_m = from.kind == NodeKind::kClosedPass ? 0 : turning_.lift_m;
+  const double lower_m = to.kind == NodeKind::kClosedPass ? 0 : turning_.lower_m;
+  double out_s = kNever_s;
+  for (const Pose& left : from.left)
+    for (const Pose& entered : to.entered)
+      out_s = std::min(out_s, least_s(left, lift_m, entered, lower_m, out_s));
+  return out_s;
+}
+
+double LeastWays::between(const RouteNode& a, const RouteNode& b) const {
+  const double straight = straight_s(a, b);
+  if (a.kind == NodeKind::kGate || b.kind == NodeKind::kGate) return straight;
+  const bool both_closed = a.kind == NodeKind::kClosedPass && b.kind == NodeKind::kClosedPass;
+  if (both_closed && straight * fastest_mps_ > kNextPasses_widths * width_m_) return straight;
+  const double steps_s = (a.step_m + b.step_m) / turning_.turning_speed_mps;
+  return std::max(straight, std::min(one_way_s(a, b), one_way_s(b, a)) - steps_s);
+}
+
+double LeastWays::straight_s(const RouteNode& a, const RouteNode& b) const {
+  const double least_m = std::min(least_distance_m(a, b), least_distance_m(b, a));
+  return std::max(0.0, least_m - a.step_m - b.step_m) / fastest_mps_;
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,62 @@
+#pragma once
+// What a route joins, and the least times of ways between: facts of the rule about its bound.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/geometry/path/steered_path.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::check {
+
+enum class NodeKind { kLineEnd, kGate, kClosedPass };
+
+/// An end of a track or of an open pass, a gate, or a closed pass, which may be left and entered at any of
+/// its places.
+struct RouteNode {
+  NodeKind kind = NodeKind::kLineEnd;
+  bool of_passes = false;     ///< whether passes are on its side of the route, or tracks
+  std::vector<Pose> left;     ///< the axle, where the work ends there
+  std::vector<Pose> entered;  ///< where the work begins there
+  double step_m = 0;          ///< from each place of a closed pass to the next; 0: there is one place
+};
+
+/// A track, an open pass, a gate, or a closed pass.
+struct RouteMember {
+  std::size_t first = 0;  ///< of its nodes
+  std::size_t count = 1;
+};
+
+struct RouteNodes {
+  std::vector<RouteNode> nodes;  ///< in the numbering of RouteProof
+  std::vector<RouteMember> members;
+  double crossings_m = 0;  ///< straight on over passable obstacles within lines
+};
+
+/// Precondition: the route has legs with paths.
+RouteNodes nodes_of_route(const Plan& plan);
+
+/// The least times of ways between nodes, by the machine of a plan.
+class LeastWays {
+ public:
+  explicit LeastWays(const Machine& machine);
+
+  /// No way is quicker, in either direction, s. Where one of them is a closed pass, ways from and to its
+  /// places less the steps between these, along which the machine could drive; of closed passes 1.5 widths
+  /// apart or more the straight way alone.
+  double between(const RouteNode& a, const RouteNode& b) const;
+  /// The straight way: at most as much.
+  double straight_s(const RouteNode& a, const RouteNode& b) const;
+
+ private:
+  double least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
+  double one_way_s(const RouteNode& from, const RouteNode& to) const;
+
+  Turning turning_;
+  double width_m_;
+  double radius_m_;
+  bool reverses_;
+  double fastest_mps_;
+};
+
+}  // namespace tramline::check

@@ -1,0 +1,77 @@
+#include "tramline/route/build/least_connections.h"
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+constexpr double kBetweenTracksAndPasses_s = 1e6;
+/// Rings nearer to one another than so many widths are next to one another.
+constexpr double kNextRings_widths = 1.5;
+constexpr double kUnknown_s = -1;
+
+}  // namespace
+
+LeastConnections::LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least)
+    : members_(std::move(members)), least_(least), next_rings_m_(kNextRings_widths * width_m) {
+  const bool has_passes = lines() > members_.tracks || rings() > 0;
+  if (members_.tracks > 0 && has_passes) change_s_ = kBetweenTracksAndPasses_s;
+  for (std::size_t end = 0; end < 2 * lines(); ++end) {
+    left_.push_back(pose_left_by(members_.lines[order::line_of(end)], end));
+    entered_.push_back(pose_entered_by(members_.lines[order::line_of(end)], end));
+  }
+  for (std::size_t i = 0; i < rings(); ++i) {
+    apart_m_.emplace_back();
+    for (std::size_t node = 0; node < nodes(); ++node) apart_m_[i].push_back(distance_to_ring(node, i));
+    known_s_.emplace_back(nodes(), kUnknown_s);
+  }
+}
+
+double LeastConnections::between(std::size_t a, std::size_t b) const {
+  if (a > b) return between(b, a);
+  if (is_ring(b)) return change_s(a, b) + known_to_ring(a, ring(b));
+  if (is_gate(b)) return change_s(a, b) + to_gate(a, b);
+  return change_s(a, b) +
+         std::min(least_.between(left_[a], entered_[b]), least_.between(left_[b], entered_[a]));
+}
+
+double LeastConnections::least(std::size_t a, std::size_t b) const {
+  if (a > b) return least(b, a);
+  if (is_ring(b)) return change_s(a, b) + apart_m_[ring(b)][a] / least_.fastest_mps();
+  if (is_gate(b)) return change_s(a, b) + to_gate(a, b);
+  return change_s(a, b) + std::min(least_.crude(left_[a], entered_[b]), least_.crude(left_[b], entered_[a]));
+}
+
+bool LeastConnections::of_passes(std::size_t node) const {
+  return is_gate(node) ? gate(node).of_passes : node >= 2 * members_.tracks;
+}
+
+double LeastConnections::to_gate(std::size_t end, std::size_t gate_node) const {
+  const Point at = gate(gate_node).at;
+  return std::min(least_.to_gate(at, left_[end]), least_.to_gate(at, entered_[end]));
+}
+
+double LeastConnections::distance_to_ring(std::size_t node, std::size_t which) const {
+  const RingPlaces& places = members_.rings[which];
+  if (is_ring(node)) return ring(node) < which ? least_distance_m(members_.rings[ring(node)], places) : 0;
+  if (is_gate(node)) return least_distance_m(places, gate(node).at);
+  return std::min(least_distance_m(places, left_[node].at), least_distance_m(places, entered_[node].at));
+}
+
+double LeastConnections::known_to_ring(std::size_t node, std::size_t which) const {
+  double& known_s = known_s_[which][node];
+  if (known_s == kUnknown_s) known_s = to_ring(node, which);
+  return known_s;
+}
+
+double LeastConnections::to_ring(std::size_t node, std::size_t which) const {
+  const RingPlaces& places = members_.rings[which];
+  const double apart_m = apart_m_[which][node], apart_s = apart_m / least_.fastest_mps();
+  if (is_gate(node) || (is_ring(node) && apart_m > next_rings_m_)) return apart_s;
+  if (is_ring(node))
+    return std::max(apart_s, least_between_rings(members_.rings[ring(node)], places, least_));
+  return std::max(apart_s, std::min(least_to_ring(left_[node], places, least_),
+                                    least_from_ring(places, entered_[node], least_)));
+}
+
+}  // namespace tramline

@@ -1,0 +1,67 @@
+#pragma once
+// The least times between the ends of lines, the gates and the closed passes of a route.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/build/ring_places.h"
+#include "tramline/route/build/route_lines.h"
+#include "tramline/route/certificate/connection_bounds.h"
+
+namespace tramline {
+
+/// Where a route has to start or to end.
+struct RouteGate {
+  Point at;
+  bool of_passes = false;  ///< whether passes are on its side of the route, or tracks
+};
+
+/// What a bound of a route joins, in the numbering of RouteProof.
+struct RouteMembers {
+  std::vector<RouteLine> lines;  ///< tracks, then open passes
+  std::size_t tracks = 0;        ///< so many of the lines
+  std::vector<RouteGate> gates;
+  std::vector<RingPlaces> rings;  ///< closed passes
+};
+
+/// Lower bounds of connections. All passes come before all tracks or after them: a route makes just one
+/// connection between a track and a pass. That one costs between_tracks_and_passes_s() more here, and a bound
+/// has to be made less by as much: so the least tree has just one, too. Rings more than 1.5 widths apart are
+/// as far apart as they lie. Not for several threads.
+class LeastConnections final : public order::ConnectionBounds {
+ public:
+  /// `least` outlives the connections.
+  LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least);
+
+  std::size_t lines() const override { return members_.lines.size(); }
+  std::size_t gates() const override { return members_.gates.size(); }
+  std::size_t rings() const override { return members_.rings.size(); }
+  double between(std::size_t a, std::size_t b) const override;
+  double least(std::size_t a, std::size_t b) const override;
+
+  /// 0 where there are no tracks or no passes.
+  double between_tracks_and_passes_s() const { return change_s_; }
+
+ private:
+  bool of_passes(std::size_t node) const;
+  double change_s(std::size_t a, std::size_t b) const { return of_passes(a) == of_passes(b) ? 0 : change_s_; }
+  const RouteGate& gate(std::size_t node) const { return members_.gates[node - 2 * lines()]; }
+  std::size_t ring(std::size_t node) const { return node - 2 * lines() - gates(); }
+  double to_gate(std::size_t end, std::size_t gate) const;
+  double distance_to_ring(std::size_t node, std::size_t ring) const;
+  double to_ring(std::size_t node, std::size_t ring) const;
+  double known_to_ring(std::size_t node, std::size_t ring) const;
+
+  RouteMembers members_;
+  const LeastSeconds& least_;
+  double next_rings_m_;
+  double change_s_ = 0;
+  std::vector<Pose> left_;     ///< by end
+  std::vector<Pose> entered_;  ///< by end
+  // By ring and node: from it, m, and the least time, s, once it was asked for.
+  std::vector<std::vector<double>> apart_m_;
+  mutable std::vector<std::vector<double>> known_s_;
+};
+
+}  // namespace tramline

@@ -1,0 +1,135 @@
+// The least times to and from closed passes, against the shortest ways of all places close together.
+
+#include "tramline/route/build/ring_places.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "properties/draws.h"
+#include "properties/seeds.h"
+#include "tramline/route/build/pass_entries.h"
+#include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/manoeuvres/reeds_shepp.h"
+
+namespace tramline {
+namespace {
+
+using testing::for_each_seed;
+
+/// A rectangle of straight sides around the origin with round corners, anticlockwise.
+HeadlandPass rounded_rectangle(double long_m, double wide_m, double radius_m) {
+  HeadlandPass out;
+  Point at{-long_m / 2, -wide_m / 2 - radius_m}, ahead{1, 0};
+  for (int side = 0; side < 4; ++side) {
+    const Point next = at + (side % 2 == 0 ? long_m : wide_m) * ahead;
+    const Point left{-ahead.y, ahead.x};
+    const Point corner = next + radius_m * (ahead + left);
+    out.path.push_back({at, next, 0});
+    out.path.push_back({next, corner, 1 / radius_m});
+    at = corner;
+    ahead = left;
+  }
+  out.path.back().to = out.path.front().from;
+  return out;
+}
+
+Machine random_machine_with_ring(std::mt19937_64& random) {
+  Machine out;
+  out.radius_m = uniform(random, 3, 9);
+  out.turning.lift_m = any_of(random, 0, 1) * uniform(random, 0, 3);
+  out.turning.lower_m = any_of(random, 0, 1) * uniform(random, 0, 3);
+  out.turning.reverse_speed_mps = uniform(random, 0.5, 1.4);
+  out.turning.gear_change_s = uniform(random, 0, 3);
+  out.turning.implement_offset_m = any_of(random, 0, 1) * uniform(random, -3, 5);
+  return out;
+}
+
+HeadlandPass random_ring(std::mt19937_64& random, const Machine& machine) {
+  return rounded_rectangle(uniform(random, 10, 60), uniform(random, 5, 40),
+                           machine.radius_m * uniform(random, 1, 2));
+}
+
+double way_s(const Pose& from, double lift_m, const Pose& to, double lower_m, const Machine& machine) {
+  const Turning& turning = machine.turning;
+  const double forward_m =
+      lift_m + lower_m + dubins_length(moved_on(from, lift_m), moved_on(to, -lower_m), machine.radius_m);
+  return std::min(
+      forward_m / turning.turning_speed_mps,
+      2 * turning.gear_change_s + reeds_shepp_length(from, to, machine.radius_m) /
+                                      std::max(turning.turning_speed_mps, turning.reverse_speed_mps));
+}
+
+/// All entries, from place to place a tenth of a metre.
+std::vector<Pose> many_places(const HeadlandPass& pass, const Machine& machine, double spacing_m) {
+  std::vector<Pose> out;
+  for (const PassEntry& entry : entries_of(pass, spacing_m, machine.turning)) out.push_back(entry.entered);
+  return out;
+}
+
+/// No way is quicker than what is said, and some way hardly slower.
+void expect_bounds(double said_s, double quickest_s, double most_less_s) {
+  EXPECT_LE(said_s, quickest_s + 1e-9);
+  EXPECT_GE(said_s, quickest_s - most_less_s - 1e-9);
+}
+
+TEST(RingPlaces, AreAMetreApartOrFiveHundred) {
+  // 2·(30 + 20) + 2·π·5 = 131.4 m; 2·(400 + 300) + 31.4 = 1431.4 m.
+  const RingPlaces small = ring_places(rounded_rectangle(30, 20, 5), {}),
+                   large = ring_places(rounded_rectangle(400, 300, 5), {});
+  EXPECT_EQ(small.senses[0].size(), 132U);
+  EXPECT_EQ(small.senses[1].size(), 132U);
+  EXPECT_NEAR(small.step_m, (100 + 10 * std::numbers::pi) / 132, 1e-9);
+  EXPECT_EQ(large.senses[0].size(), 500U);
+}
+
+TEST(RingPlaces, AreReachedAndLeftNoSoonerThanAllPlacesCloseTogether) {
+  for_each_seed(60, [](std::mt19937_64& random, int) {
+    const Machine machine = random_machine_with_ring(random);
+    const HeadlandPass pass = random_ring(random, machine);
+    const RingPlaces ring = ring_places(pass, machine.turning);
+    const LeastSeconds least(machine);
+    const Pose end{{uniform(random, -50, 50), uniform(random, -40, 40)},
+                   Heading::clockwise_from_north(Angle::degrees(uniform(random, 0, 360)))};
+    double from_s = std::numeric_limits<double>::max(), to_s = from_s, apart_m = from_s;
+    for (const Pose& place : many_places(pass, machine, 0.1)) {
+      from_s = std::min(from_s, way_s(place, 0, end, machine.turning.lower_m, machine));
+      to_s = std::min(to_s, way_s(end, machine.turning.lift_m, place, 0, machine));
+      apart_m = std::min(apart_m, distance(place.at, end.at));
+    }
+    // A place is a step from the next: less by the step, and by what it would take to drive on to there.
+    const double step_s = ring.step_m / machine.turning.turning_speed_mps;
+    expect_bounds(least_from_ring(ring, end, least), from_s, 2 * step_s);
+    expect_bounds(least_to_ring(end, ring, least), to_s, 2 * step_s);
+    expect_bounds(least_distance_m(ring, end.at), apart_m, 1.5 * ring.step_m);
+  });
+}
+
+TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
+  for_each_seed(6, [](std::mt19937_64& random, int) {
+    const Machine machine = random_machine_with_ring(random);
+    const double long_m = uniform(random, 10, 30), wide_m = uniform(random, 5, 20);
+    const double apart = uniform(random, 2, 20);
+    const HeadlandPass inner = rounded_rectangle(long_m, wide_m, machine.radius_m),
+                       outer = rounded_rectangle(long_m, wide_m, machine.radius_m + apart);
+    const RingPlaces from = ring_places(inner, machine.turning), to = ring_places(outer, machine.turning);
+    const LeastSeconds least(machine);
+    double quickest_s = std::numeric_limits<double>::max();
+    const std::vector<Pose> places = many_places(inner, machine, 0.5),
+                            others = many_places(outer, machine, 0.5);
+    for (const Pose& place : places)
+      for (const Pose& other : others)
+        if (distance(place.at, other.at) < quickest_s * 1.5)
+          quickest_s = std::min(quickest_s, way_s(place, 0, other, 0, machine));
+    const double steps_s = (from.step_m + to.step_m) / machine.turning.turning_speed_mps;
+    expect_bounds(least_between_rings(from, to, least), quickest_s, 2 * steps_s);
+    EXPECT_NEAR(least_between_rings(to, from, least), least_between_rings(from, to, least), steps_s);
+    expect_bounds(least_distance_m(from, to), apart, from.step_m + 1.5 * to.step_m);
+  });
+}
+
+}  // namespace
+}  // namespace tramline
