@@ -68,6 +68,10 @@ def difference(one: pathlib.Path, other: pathlib.Path) -> list[str]:
     return out + [name for name in sorted(names(one) & names(other)) if not filecmp.cmp(one / name, other / name, False)]
 
 
+def finished_chunks(folder: pathlib.Path) -> int:
+    return sum(1 for _ in folder.rglob("*.jsonl"))
+
+
 class Cluster:
     """A scheduler and workers as processes; a worker that dies is replaced, as any supervisor would."""
 
@@ -146,16 +150,19 @@ def main() -> int:
         assert sums["fields"] >= asked.fields, sums
 
         cluster = Cluster(asked.workers, folder / "workers")
-        kills = [(moments.uniform(0.05, 0.9) * seconds, "worker") for _ in range(asked.kills)]
-        kills.append((moments.uniform(0.3, 0.7) * seconds, "scheduler"))
-        start, runs, working = time.monotonic(), 0, threading.Event()
+        # By how much is done rather than by the clock: all of them happen, however fast the machine is.
+        kills = [(moments.uniform(0.05, 0.9), "worker") for _ in range(asked.kills)]
+        kills.append((moments.uniform(0.3, 0.7), "scheduler"))
+        start, runs, ended, done = time.monotonic(), 0, threading.Event(), []
 
         def kill() -> None:
-            for moment, what in sorted(kills):
-                time.sleep(max(0.0, start + moment - time.monotonic()))
-                if working.is_set():
-                    return
-                print(f"after {time.monotonic() - start:.0f} s a {what} is killed", flush=True)
+            whole = finished_chunks(folder / "alone")
+            for share, what in sorted(kills):
+                while finished_chunks(folder / "dask") < share * whole:
+                    if ended.wait(0.2):
+                        return
+                done.append(what)
+                print(f"after {time.monotonic() - start:.0f} s, {100 * share:.0f} % done, a {what} is killed", flush=True)
                 if what == "worker":
                     cluster.kill_worker(moments.randrange(asked.workers))
                 else:
@@ -172,7 +179,7 @@ def main() -> int:
                 command = [sys.executable, "-m", "tramline.batch", *words, f"--output={folder / 'dask'}", "--resume"]
                 code = subprocess.run([*command, "--scheduler", cluster.address, "--quiet"]).returncode
         finally:
-            working.set()
+            ended.set()
             killer.join()
             cluster.stop()
         took, dask_s = time.monotonic() - start, processor_s() - before_s - alone_s
@@ -182,6 +189,7 @@ def main() -> int:
             flush=True,
         )
         assert code in (0, 3), code
+        assert len(done) == len(kills), f"only {done} were killed"
         different = difference(folder / "alone", folder / "dask")
         assert not different, f"seed {asked.seed}: {different[:10]}"
     print("the same bytes")
