@@ -94,24 +94,30 @@ flow('a part keeps its tracks, an area need not be worked', {}, async ({ page, s
   assert.ok(exempt.summary.uncovered_m2 < kept.summary.uncovered_m2 + 50, 'what need not be worked is not missed');
 });
 
+/** Drags an end of the line of the direction by so many pixels. */
+async function dragEnd(page, [right, down]) {
+  await hand(page).getByRole('button', { name: 'Drag the direction' }).click();
+  await page.waitForFunction(() => window.tramlineMap.querySourceFeatures('drawing').length > 0);
+  const [x, y] = await page.evaluate(() => {
+    const map = window.tramlineMap;
+    const box = map.getCanvas().getBoundingClientRect();
+    const end = map.querySourceFeatures('drawing').filter(({ geometry }) => geometry.type === 'Point').map(({ geometry }) => map.project(geometry.coordinates))[0];
+    return [box.left + end.x, box.top + end.y];
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + right, y + down, { steps: 4 });
+  await page.mouse.up();
+}
+
 flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   await openField(page, smallField(server.folder));
   await planTracks(page);
   await makePlan(page);
   await still(page);
   const before = hash(page);
-  await hand(page).getByRole('button', { name: 'Drag the direction' }).click();
-  await page.waitForFunction(() => window.tramlineMap.querySourceFeatures('drawing').length > 0);
-  const [from, to] = await page.evaluate(() => {
-    const map = window.tramlineMap;
-    const box = map.getCanvas().getBoundingClientRect();
-    const ends = map.querySourceFeatures('drawing').filter(({ geometry }) => geometry.type === 'Point').map(({ geometry }) => map.project(geometry.coordinates));
-    return [[box.left + ends[0].x, box.top + ends[0].y], [box.left + ends[0].x + 30, box.top + ends[0].y + 90]];
-  });
-  await page.mouse.move(...from);
-  await page.mouse.down();
-  await page.mouse.move(...to, { steps: 4 });
-  await page.mouse.up();
+  const first = openId(page, 'plan');
+  await dragEnd(page, [30, 90]);
   await newPlan(page, before);
   const turned = await plan(page, server);
   assert.equal(turned.summary.direction_deg.length, 1);
@@ -120,6 +126,23 @@ flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   const apart = Math.abs(((((turned.summary.direction_deg[0] - bearing) % 180) + 270) % 180) - 90);
   assert.ok(apart < 0.5, `${turned.summary.direction_deg[0]}° and ${bearing}°`);
   await bar(page).getByRole('button', { name: 'Keep this direction' }).click();
+  assert.equal(openId(page, 'plan'), turned.id, 'what was dragged is planned already');
+
+  // Another drag that is given up leaves the direction of the first one.
+  let last = hash(page);
+  await dragEnd(page, [-40, 20]);
+  await newPlan(page, last);
+  last = hash(page);
+  assert.notDeepEqual((await plan(page, server)).asked.settings.line, turned.asked.settings.line);
+  await bar(page).getByRole('button', { name: 'Cancel' }).click();
+  await newPlan(page, last);
+  const again = await plan(page, server);
+  assert.deepEqual(again.asked.settings.line, turned.asked.settings.line);
+  assert.deepEqual(again.summary.direction_deg, turned.summary.direction_deg);
+  // And one more step back is the plan that nobody had a hand in.
+  await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).click();
+  await page.waitForFunction((id) => location.hash.includes(id), first);
+  assert.equal(await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).isDisabled(), true);
 });
 
 flow('the whole job by hand', { skip: process.env.TRAMLINE_LONG ? false : 'a whole job takes its time: make long-page' }, async ({ page, server }) => {

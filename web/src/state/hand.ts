@@ -6,9 +6,12 @@ import { store } from './store';
 /** The part of the form that a hand on the plan changes. */
 export type ByHand = Pick<PlanForm, 'line' | 'shape' | 'land'>;
 
-/** The plan that nobody had a hand in. */
+/** The plan that nobody had a hand in: what edits begin from, and are held against. */
 export interface Best {
   field: string;
+  plan: string;
+  /** What the form says but for what is done by hand (butForTheHand). */
+  asked: string;
   euros: number | null;
   rates: Rates | null;
   counts: { overlap_m2: number; uncovered_m2: number; turns: number; stops: number };
