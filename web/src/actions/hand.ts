@@ -1,7 +1,6 @@
 // A hand on the plan: each change is one step to undo, is planned at once, and is held against the plan before.
-import { api } from '../api/client';
 import type { Geometry, Land, Place, PlanFull } from '../api/types';
-import { hand, type Best, type ByHand } from '../state/hand';
+import { bestOf, hand, type ByHand } from '../state/hand';
 import { butForTheHand, form } from '../state/plan_form';
 import { plans } from '../state/plans';
 import { attempt } from './notices';
@@ -15,29 +14,12 @@ const byHand = (): ByHand => {
 
 const isByHand = ({ asked }: PlanFull) => Boolean(asked?.settings?.line || asked?.settings?.land?.length);
 
-function bestOf({ id, field, summary: { whole_cost, overlap_m2, uncovered_m2, turns, stops } }: PlanFull): Best {
-  return {
-    field, plan: id, asked: butForTheHand(form.get(), field),
-    euros: whole_cost?.euros ?? null, rates: whole_cost?.rates ?? null, counts: { overlap_m2, uncovered_m2, turns, stops },
-  };
-}
-
-/** The plan on the map is what edits are held against, as long as nobody had a hand in it; of one that somebody had, the plan that it was an edit of. */
+/** The plan on the map is what edits are held against, as long as nobody had a hand in it. */
 function keepBest(): void {
   const { open } = plans.get();
-  if (!open) return;
-  const { best } = hand.get();
-  if (isByHand(open)) {
-    const first = open.asked?.edit_of;
-    if (first && best?.field !== open.field) void attempt(async () => {
-      if (!editable(first)) return;
-      const known = bestOf(await api.plan(first));
-      if (!hand.get().best && plans.get().open?.field === known.field) hand.set({ best: known });
-    });
-    return;
-  }
-  if (open.summary.cut_short && best?.field === open.field) return;
-  hand.set({ best: bestOf(open) });
+  if (!open || isByHand(open)) return;
+  if (open.summary.cut_short && hand.get().best?.field === open.field) return;
+  hand.set({ best: bestOf(open, form.get()) });
 }
 
 const planned = () => {

@@ -4,10 +4,10 @@ import { follow } from '../api/jobs';
 import type { Job } from '../api/types';
 import { fields } from '../state/fields';
 import { butForTheHand, form, isShowing, requestOf } from '../state/plan_form';
-import { hand } from '../state/hand';
+import { bestOf, hand, type Best } from '../state/hand';
 import { plans } from '../state/plans';
 import { attempt, note } from './notices';
-import { keepPlan, loadPlans, openPlan, showPlan } from './plans';
+import { loadPlans, openPlan, showPlan } from './plans';
 import { t } from '../words';
 
 let run = 0;
@@ -23,11 +23,20 @@ function soon(): { seconds?: number } {
 /** Whether edits can begin from the plan: it is stored, and of the shape that the field has now. */
 export const editable = (plan: string) => plans.get().list.some((item) => item.id === plan && !item.earlier_shape);
 
-/** The plan that the next one is an edit of; null where it has to be planned anew. From then on no draft replaces it. */
+/** After a reload, what the plan on the map was an edit of. */
+async function foundBest(): Promise<Best | null> {
+  const first = plans.get().open?.asked?.edit_of;
+  if (!first || !editable(first)) return null;
+  const best = bestOf(await api.plan(first), form.get());
+  hand.set({ best });
+  return best;
+}
+
+/** The plan that the next one is an edit of; null where it has to be planned anew. */
 async function editOf(field: string): Promise<string | null> {
-  const { past, future, best } = hand.get();
+  const { past, future } = hand.get();
+  const best = hand.get().best ?? await foundBest();
   if (past.length + future.length === 0 || best?.field !== field || !editable(best.plan) || best.asked !== butForTheHand(form.get(), field)) return null;
-  if (plans.get().list.some(({ id, draft }) => id === best.plan && draft)) await keepPlan(best.plan);
   return best.plan;
 }
 
