@@ -60,7 +60,9 @@ void send_geojson(const httplib::Request& request, httplib::Response& response, 
 }
 
 void pack_body(const httplib::Request& request, httplib::Response& response) {
-  if (response.body.empty()) return;
+  constexpr int kFault = 400;
+  // Faults are short, and go through cpp-httplib's handler of errors, which looks at the body.
+  if (response.body.empty() || response.status >= kFault) return;
   const std::string type = response.get_header_value("Content-Type");
   response.headers.erase("Content-Type");  // the provider sets it again
   send_packed(request, response, std::exchange(response.body, {}), type);

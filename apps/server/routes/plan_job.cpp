@@ -34,7 +34,7 @@ struct PlanRequest {
   std::optional<double> seconds;  ///< for the search; without: until it is through
   std::string name;
   std::string edit_of;  ///< the plan that this one is an edit of; empty: it is planned anew
-  ordered_json asked;  ///< machine, objective and settings as in the request
+  ordered_json asked;   ///< machine, objective and settings as in the request
 };
 
 /// What decides about the plan, as it was asked for.
@@ -51,8 +51,9 @@ bool takes_land_off(const ordered_json& settings) {
 }
 
 PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise) {
-  const JsonInput input(
-      json, "", {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds", "name", "edit_of"});
+  const JsonInput input(json, "",
+                        {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds",
+                         "name", "edit_of"});
   PlanRequest out;
   out.field = app.fields.get(input.text("field"));
   out.machine = machine_in(input.value("machine"), "machine");
@@ -87,7 +88,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 Plan edited_plan(App& app, const PlanRequest& request, const std::string& shape, const Progress& progress) {
   const OpenedPlan before = app.plans.open(request.edit_of);
   if (before.notes.field != request.field->id || before.notes.shape != shape)
-    throw bad_input("the plan to be edited is of another field, or of a shape that the field had; plan it anew");
+    throw bad_input(
+        "the plan to be edited is of another field, or of a shape that the field had; plan it anew");
   return plan_edited(before.file.plan, request.field->field, request.machine, request.objective,
                      request.settings, 0, progress);
 }

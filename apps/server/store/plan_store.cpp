@@ -126,8 +126,7 @@ void PlanStore::drop_other_drafts(const KeptPlan& newest, const std::string& edi
   std::error_code ignored;
   std::erase_if(plans_, [&](const auto& entry) {
     const KeptPlan& plan = entry.second;
-    if (!plan.draft || plan.field != newest.field || plan.id == newest.id || plan.id == edited)
-      return false;
+    if (!plan.draft || plan.field != newest.field || plan.id == newest.id || plan.id == edited) return false;
     std::filesystem::remove(folder_.file(kPlans, plan.id), ignored);
     return true;
   });

@@ -45,7 +45,8 @@ class LandTest : public ServerTest {
 TEST_F(LandTest, AnEditKeepsHeadlandsAndDirections) {
   const std::string field = rectangle();
   const auto job = [&](const ordered_json& more) {
-    ordered_json request = {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}};
+    ordered_json request = {
+        {"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}};
     request.update(more);
     return request;
   };
@@ -70,7 +71,8 @@ TEST_F(LandTest, AnEditKeepsHeadlandsAndDirections) {
   EXPECT_TRUE(check["result"]["check"]["ok"].get<bool>()) << check.dump();
 
   // North to south, or about: along the line.
-  const ordered_json line = {{9 + 0.5 * kEast_deg, 50 + 0.1 * kNorth_deg}, {9 + 0.5 * kEast_deg, 50 + 0.9 * kNorth_deg}};
+  const ordered_json line = {{9 + 0.5 * kEast_deg, 50 + 0.1 * kNorth_deg},
+                             {9 + 0.5 * kEast_deg, 50 + 0.9 * kNorth_deg}};
   const ordered_json turned =
       made({{"draft", true}, {"edit_of", best["id"]}, {"settings", {{"line", line}}}});
   const double north_deg = turned["summary"]["direction_deg"][0];

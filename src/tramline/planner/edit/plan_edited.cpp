@@ -50,8 +50,8 @@ PlanningProblem edit_problem(const Field& field, const Machine& machine, const O
 }
 
 std::optional<PreparedField> prepared_with(const PlanningProblem& problem, const PassesByBoundary& passes) {
-  const bool none = problem.settings.headlands == 0 && problem.settings.headland_edges.empty() &&
-                    deepest(passes) == 0;
+  const bool none =
+      problem.settings.headlands == 0 && problem.settings.headland_edges.empty() && deepest(passes) == 0;
   return none ? field_without_headlands(problem) : field_behind(problem, passes.obstacles);
 }
 
