@@ -52,7 +52,7 @@ flow('many fields in a file: search, by keyboard too, and store several at once'
   await search.fill('');
   await page.getByLabel('Tick meadow-0').check();
   await page.getByRole('button', { name: 'Store 6 fields' }).click();
-  await page.getByText('6 fields of many.geojson are stored').waitFor();
+  await page.getByText('Stored: 6 fields of many.geojson').waitFor();
   const names = (await ask(server, '/fields')).map((field) => field.name).sort();
   assert.deepEqual(names, ['meadow-0', 'Ödland-21', 'Ödland-23', 'Ödland-25', 'Ödland-27', 'Ödland-29']);
 });

@@ -735,6 +735,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   'It costs as much as the best plan.': 'Er kostet so viel wie der beste Plan.',
   '{0} more than the best plan.': '{0} mehr als der beste Plan.',
   '{0} less than the plan before.': '{0} weniger als der Plan davor.',
+  'Headlands and directions that you left alone are those of the best plan. Press Plan again to search for better ones.': 'Vorgewende und Richtungen, die Sie nicht geändert haben, sind die des besten Plans. Mit Neu planen wird nach besseren gesucht.',
   'Searched for a moment only. Press Plan again for the whole search.': 'Nur einen Augenblick gesucht. Mit Neu planen wird ganz gesucht.',
   'Undo the last step by hand': 'Letzten Schritt von Hand rückgängig',
   'Redo the step by hand': 'Schritt von Hand wiederholen',

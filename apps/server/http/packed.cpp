@@ -35,6 +35,20 @@ std::string gzipped(const std::string& text) {
   return out;
 }
 
+void send_packed(const httplib::Request& request, httplib::Response& response, std::string text,
+                 const std::string& type) {
+  response.set_header("Vary", "Accept-Encoding");
+  auto body = std::make_shared<std::string>(std::move(text));
+  if (body->size() >= kWorthPacking && takes_gzip(request)) {
+    response.set_header("Content-Encoding", "gzip");
+    *body = gzipped(*body);
+  }
+  response.set_content_provider(body->size(), type,
+                                [body](std::size_t from, std::size_t size, httplib::DataSink& sink) {
+                                  return sink.write(body->data() + from, size);
+                                });
+}
+
 }  // namespace
 
 bool takes_gzip(const httplib::Request& request) {
@@ -42,15 +56,16 @@ bool takes_gzip(const httplib::Request& request) {
 }
 
 void send_geojson(const httplib::Request& request, httplib::Response& response, std::string text) {
-  response.set_header("Vary", "Accept-Encoding");
-  if (text.size() < kWorthPacking || !takes_gzip(request))
-    return response.set_content(std::move(text), kGeoJson);
-  response.set_header("Content-Encoding", "gzip");
-  const auto packed = std::make_shared<const std::string>(gzipped(text));
-  response.set_content_provider(packed->size(), kGeoJson,
-                                [packed](std::size_t from, std::size_t size, httplib::DataSink& sink) {
-                                  return sink.write(packed->data() + from, size);
-                                });
+  send_packed(request, response, std::move(text), kGeoJson);
+}
+
+void pack_body(const httplib::Request& request, httplib::Response& response) {
+  constexpr int kFault = 400;
+  // Faults are short, and go through cpp-httplib's handler of errors, which looks at the body.
+  if (response.body.empty() || response.status >= kFault) return;
+  const std::string type = response.get_header_value("Content-Type");
+  response.headers.erase("Content-Type");  // the provider sets it again
+  send_packed(request, response, std::exchange(response.body, {}), type);
 }
 
 }  // namespace tramline::server

@@ -13,6 +13,7 @@
 
 #include "report/report_parts.h"
 #include "server/http/http_error.h"
+#include "server/http/packed.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {
@@ -203,6 +204,7 @@ void Router::serve(const httplib::Request& request, httplib::Response& response,
     const Answer answer = answer_to(std::current_exception());
     fail(answer.fault, answer.sentence);
   }
+  pack_body(request, response);
 }
 
 void answer(httplib::Response& response, const nlohmann::ordered_json& json, int status) {

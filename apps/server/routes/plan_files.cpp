@@ -151,11 +151,26 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
                   word));
 }
 
+/// Twice as wide as lists show it, for sharp screens.
+constexpr int kThumbnail_px = 144;
+
+/// A draft that is listed stays a draft. What a plan looks like never changes.
+void send_thumbnail(App& app, const Call& call, httplib::Response& response) {
+  const KeptPlan plan = app.plans.get(call.part("plan"));
+  send_written(response, app.folder, plan.name, ".png", "image/png", [&](const std::filesystem::path& path) {
+    render::draw_thumbnail(app.plans.open(plan.id).file.plan, path, kThumbnail_px);
+  });
+  response.set_header("Cache-Control", "private, max-age=31536000, immutable");
+}
+
 }  // namespace
 
 void add_plan_file_routes(Router& router, App& app) {
   router.get(api("/plans/{plan}/files/{format}"), [&app](const Call& call, httplib::Response& response) {
     while_kept([&] { app.plans.get(call.part("plan")); }, [&] { send_plan(app, call, response); });
+  });
+  router.get(api("/plans/{plan}/thumbnail"), [&app](const Call& call, httplib::Response& response) {
+    while_kept([&] { app.plans.get(call.part("plan")); }, [&] { send_thumbnail(app, call, response); });
   });
 }
 

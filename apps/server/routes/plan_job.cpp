@@ -33,13 +33,14 @@ struct PlanRequest {
   bool draft = false;
   std::optional<double> seconds;  ///< for the search; without: until it is through
   std::string name;
-  ordered_json asked;  ///< machine, objective and settings as in the request
+  std::string edit_of;  ///< the plan that this one is an edit of; empty: it is planned anew
+  ordered_json asked;   ///< machine, objective and settings as in the request
 };
 
 /// What decides about the plan, as it was asked for.
 ordered_json asked_in(const ordered_json& json) {
   ordered_json out = ordered_json::object();
-  for (const char* key : {"machine", "objective", "settings"})
+  for (const char* key : {"machine", "objective", "settings", "edit_of"})
     if (json.contains(key)) out[key] = json[key];
   return out;
 }
@@ -50,8 +51,9 @@ bool takes_land_off(const ordered_json& settings) {
 }
 
 PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise) {
-  const JsonInput input(
-      json, "", {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds", "name"});
+  const JsonInput input(json, "",
+                        {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds",
+                         "name", "edit_of"});
   PlanRequest out;
   out.field = app.fields.get(input.text("field"));
   out.machine = machine_in(input.value("machine"), "machine");
@@ -70,6 +72,9 @@ PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise)
   if (out.seconds && *out.seconds <= 0)
     throw bad_input(fmt::format("seconds has to be a number above 0, not {:g}", *out.seconds));
   out.name = name_of(input, "name");
+  if (input.has("edit_of")) out.edit_of = app.plans.get(input.text("edit_of")).id;
+  if (out.explain && !out.edit_of.empty())
+    throw bad_input("an edit is compared with no other plan; leave explain out");
   out.asked = asked_in(json);
   if (out.draft && !out.name.empty()) throw bad_input("a plan with a name is kept; leave out name or draft");
   return out;
@@ -77,6 +82,16 @@ PlanRequest plan_request(App& app, const ordered_json& json, Defaults otherwise)
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// `shape`: of the field now.
+Plan edited_plan(App& app, const PlanRequest& request, const std::string& shape, const Progress& progress) {
+  const OpenedPlan before = app.plans.open(request.edit_of);
+  if (before.notes.field != request.field->id || before.notes.shape != shape)
+    throw bad_input(
+        "the plan to be edited is of another field, or of a shape that the field had; plan it anew");
+  return plan_edited(before.file.plan, request.field->field, request.machine, request.objective,
+                     request.settings, 0, progress);
 }
 
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
@@ -92,7 +107,9 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
                   shape_key(request.field->field)};
   Plan plan;
   const Field& field = request.field->field;
-  if (request.explain) {
+  if (!request.edit_of.empty()) {
+    plan = edited_plan(app, request, notes.shape, progress);
+  } else if (request.explain) {
     ExplainedPlan explained =
         plan_and_explain(field, request.machine, request.objective, request.settings, 0, progress);
     plan = std::move(explained.plan);
@@ -131,6 +148,7 @@ ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
 JobStatus begin_compare(App& app, const ordered_json& json) {
   PlanRequest request = plan_request(app, json, Defaults::kTracks);
   if (request.draft) throw bad_input("a comparison does not keep a plan; leave draft out");
+  if (!request.edit_of.empty()) throw bad_input("a comparison is of plans made anew; leave edit_of out");
   require_free_directions(request.settings);
   const std::string what = fmt::format("comparing plans of {}", request.field->name);
   const std::string field = request.field->id;

@@ -113,19 +113,20 @@ KeptPlan PlanStore::write(const std::string& id, const std::string& created, con
 
 KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
   KeptPlan out = write(new_id(), time_now(), plan, notes);
-  if (out.draft) drop_other_drafts(out);
+  const bool is_edit = notes.asked.is_object() && notes.asked.contains("edit_of");
+  if (out.draft) drop_other_drafts(out, is_edit ? notes.asked["edit_of"].get<std::string>() : "");
   return out;
 }
 
 /// Several where a server was killed between keeping one and dropping the one before.
-void PlanStore::drop_other_drafts(const KeptPlan& newest) {
+void PlanStore::drop_other_drafts(const KeptPlan& newest, const std::string& edited) {
   const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (!plans_.contains(newest.id)) return;  // of two at the same time, one stays
   std::error_code ignored;
   std::erase_if(plans_, [&](const auto& entry) {
     const KeptPlan& plan = entry.second;
-    if (!plan.draft || plan.field != newest.field || plan.id == newest.id) return false;
+    if (!plan.draft || plan.field != newest.field || plan.id == newest.id || plan.id == edited) return false;
     std::filesystem::remove(folder_.file(kPlans, plan.id), ignored);
     return true;
   });

@@ -73,12 +73,13 @@ class PlanStore {
   KeptPlan keep(const std::string& id);
   void remove(const std::string& id);
 
-  /// A draft drops the drafts that were there of its field, once it is kept itself.
+  /// A draft drops the drafts that were there of its field, once it is stored itself; but for the one that it
+  /// is an edit of, which its user may go back to.
   KeptPlan add(const Plan& plan, const PlanNotes& notes);
 
  private:
   KeptPlan read(const std::string& id) const;
-  void drop_other_drafts(const KeptPlan& newest);
+  void drop_other_drafts(const KeptPlan& newest, const std::string& edited);
   KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
 
   const StoreFolder& folder_;

@@ -25,7 +25,8 @@ constexpr double kFewCorners = 1.0 / 60;
 constexpr double kMetresPerDegree = 111'320;
 constexpr double kDegreesWritten = 1e6;  // 0.1 m
 
-/// Longitude and latitude of the corners that tell; plain metres are shown about (0°, 0°).
+/// Longitude and latitude of the corners that tell, the first once more at the end; none where there are
+/// fewer than three, or a place is unknown; plain metres are shown about (0°, 0°).
 std::vector<Point> shown_ring(const RawRing& ring, const Crs& crs) {
   if (ring.points.size() < 3) return {};
   std::vector<Point> out;
@@ -35,6 +36,7 @@ std::vector<Point> shown_ring(const RawRing& ring, const Crs& crs) {
     if (!lonlat) return {};
     out.push_back(*lonlat);
   }
+  if (out.front() != out.back()) out.push_back(out.front());
   return out;
 }
 

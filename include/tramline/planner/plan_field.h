@@ -56,4 +56,14 @@ struct ExplainedPlan {
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
                                const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
+/// An edit of the plan `before`, of the same field: what the settings decide (a line to follow, drawn land)
+/// as they say, and the rest as it was there. Headland passes that are left to turns are those of `before`;
+/// tracks run along the line that is given, in drawn parts by given_search(), or else in the directions and
+/// along the curves of `before`. One layout is laid and its route planned, so that it takes a fraction of the
+/// time of plan_field(); no other is looked for and no bound is proven. Where the settings leave shapes to
+/// the planner, drawn parts have straight tracks. Errors: as plan_field(); kBadInput where `before` is of
+/// another shape of the field or has no subfield. Deterministic as plan_field().
+Plan plan_edited(const Plan& before, const Field& field, const Machine& machine, const Objective& objective,
+                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
+
 }  // namespace tramline

@@ -12,6 +12,7 @@
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
+#include "tramline/planner/curved/along_guide.h"
 #include "tramline/planner/curved/curved_candidate.h"
 #include "tramline/planner/curved/curved_search.h"
 #include "tramline/planner/curved/zhou_plan.h"
@@ -41,19 +42,6 @@ Error no_curve(const Field& field, bool from_end_to_end) {
 }
 
 bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == TrackConstruction::kPaper; }
-
-Candidate along_guide(const SearchTask& task) {
-  const std::vector<Point>& guide = task.settings.guide;
-  if (as_in_the_paper(task.settings)) return zhou_plan_along(task, anchored_guide(task));
-  const Reference reference = reference_along(task, guide, 0);
-  std::vector<LinedSubfield> lined_subfields;
-  for (const Polygon& part : task.ground.plannable) {
-    const auto subfield = subfield_along(task, part, reference);
-    assert(subfield);  // Unmoved, the reference keeps the radii it was smoothed to.
-    lined_subfields.push_back({*subfield, 0});
-  }
-  return candidate_on(task, lined_subfields);
-}
 
 enum class Explain { kNo, kYes };
 

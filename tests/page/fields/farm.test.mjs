@@ -16,7 +16,7 @@ async function storeAll(page, server, many, across) {
   await page.getByLabel('Choose a file with a field').setInputFiles(file);
   await page.getByLabel(`All ${many} fields`).check();
   await page.getByRole('button', { name: `Store ${many} fields` }).click();
-  await page.getByText(`${many} fields of farm.geojson are stored`).waitFor({ timeout: 120_000 });
+  await page.getByText(`Stored: ${many} fields of farm.geojson`).waitFor({ timeout: 120_000 });
 }
 
 flow('fields on one map, with crop and tags; several are planned at once', {}, async ({ page, server }) => {
@@ -40,7 +40,7 @@ flow('fields on one map, with crop and tags; several are planned at once', {}, a
   await page.getByLabel('Tick field 0').check();
   await page.getByLabel('Tick field 2').check();
   await page.getByRole('button', { name: 'Plan 2 fields' }).click();
-  await page.getByText('2 fields are planned.').waitFor({ timeout: 120_000 });
+  await page.getByText('Planned: 2 fields.').waitFor({ timeout: 120_000 });
   const list = await ask(server, '/fields');
   const hours = list.filter(({ last_plan }) => last_plan).map(({ last_plan }) => last_plan.hours);
   assert.equal(hours.length, 2);

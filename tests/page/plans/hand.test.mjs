@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { flow } from '../support/flow.mjs';
 import { clickMap, goTo, makePlan, newPlan, openField, planTracks, still } from '../support/page.mjs';
+import { example } from '../support/server.mjs';
 import { ask, openId, smallField } from '../support/stored.mjs';
 
 const hand = (page) => page.getByRole('region', { name: 'By hand' });
@@ -94,24 +95,30 @@ flow('a part keeps its tracks, an area need not be worked', {}, async ({ page, s
   assert.ok(exempt.summary.uncovered_m2 < kept.summary.uncovered_m2 + 50, 'what need not be worked is not missed');
 });
 
+/** Drags an end of the line of the direction by so many pixels. */
+async function dragEnd(page, [right, down]) {
+  await hand(page).getByRole('button', { name: 'Drag the direction' }).click();
+  await page.waitForFunction(() => window.tramlineMap.querySourceFeatures('drawing').length > 0);
+  const [x, y] = await page.evaluate(() => {
+    const map = window.tramlineMap;
+    const box = map.getCanvas().getBoundingClientRect();
+    const end = map.querySourceFeatures('drawing').filter(({ geometry }) => geometry.type === 'Point').map(({ geometry }) => map.project(geometry.coordinates))[0];
+    return [box.left + end.x, box.top + end.y];
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + right, y + down, { steps: 4 });
+  await page.mouse.up();
+}
+
 flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   await openField(page, smallField(server.folder));
   await planTracks(page);
   await makePlan(page);
   await still(page);
   const before = hash(page);
-  await hand(page).getByRole('button', { name: 'Drag the direction' }).click();
-  await page.waitForFunction(() => window.tramlineMap.querySourceFeatures('drawing').length > 0);
-  const [from, to] = await page.evaluate(() => {
-    const map = window.tramlineMap;
-    const box = map.getCanvas().getBoundingClientRect();
-    const ends = map.querySourceFeatures('drawing').filter(({ geometry }) => geometry.type === 'Point').map(({ geometry }) => map.project(geometry.coordinates));
-    return [[box.left + ends[0].x, box.top + ends[0].y], [box.left + ends[0].x + 30, box.top + ends[0].y + 90]];
-  });
-  await page.mouse.move(...from);
-  await page.mouse.down();
-  await page.mouse.move(...to, { steps: 4 });
-  await page.mouse.up();
+  const first = openId(page, 'plan');
+  await dragEnd(page, [30, 90]);
   await newPlan(page, before);
   const turned = await plan(page, server);
   assert.equal(turned.summary.direction_deg.length, 1);
@@ -120,14 +127,88 @@ flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   const apart = Math.abs(((((turned.summary.direction_deg[0] - bearing) % 180) + 270) % 180) - 90);
   assert.ok(apart < 0.5, `${turned.summary.direction_deg[0]}° and ${bearing}°`);
   await bar(page).getByRole('button', { name: 'Keep this direction' }).click();
+  assert.equal(openId(page, 'plan'), turned.id, 'what was dragged is planned already');
+
+  // Another drag that is given up leaves the direction of the first one.
+  let last = hash(page);
+  await dragEnd(page, [-40, 20]);
+  await newPlan(page, last);
+  last = hash(page);
+  assert.notDeepEqual((await plan(page, server)).asked.settings.line, turned.asked.settings.line);
+  await bar(page).getByRole('button', { name: 'Cancel' }).click();
+  await newPlan(page, last);
+  const again = await plan(page, server);
+  assert.deepEqual(again.asked.settings.line, turned.asked.settings.line);
+  assert.deepEqual(again.summary.direction_deg, turned.summary.direction_deg);
+  // And one more step back is the plan that nobody had a hand in.
+  await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).click();
+  await page.waitForFunction((id) => location.hash.includes(id), first);
+  assert.equal(await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).isDisabled(), true);
 });
 
-flow('the whole job by hand', { skip: process.env.TRAMLINE_LONG ? false : 'a whole job takes its time: make long-page' }, async ({ page, server }) => {
+const long = process.env.TRAMLINE_LONG ? false : 'a whole job takes its time: make long-page';
+
+flow('the whole job by hand', { skip: long }, async ({ page, server }) => {
   await openField(page, smallField(server.folder, 'angle'));
   await goTo(page, 'Plan');
   await makePlan(page);
+  const best = openId(page, 'plan');
   await drawn(page, 'Cut the field', 'Cut here', [[9.0011, 49.9999], [9.0011, 50.0033]]);
   const cut = await plan(page, server);
   assert.ok(cut.summary.whole_cost.euros > 0);
   assert.match(await hand(page).innerText(), /than the (best plan|plan before)|as much as/);
+  assert.equal(cut.asked.edit_of, best);
+  assert.equal(cut.asked.settings.headlands, 'auto', 'the next plan is asked for as this one was');
+  // After a reload edits still begin from that plan, and are held against it.
+  await page.reload();
+  await hand(page).getByRole('button', { name: /^Remove: Cut/ }).waitFor();
+  await drawn(page, 'Forbid an area', 'Forbid this area', [[9.002, 50.0002], [9.0023, 50.0002], [9.0023, 50.0004], [9.002, 50.0004]]);
+  const forbidden = await plan(page, server);
+  assert.equal(forbidden.asked.edit_of, best);
+  await hand(page).getByText(/more than the best plan|less than the plan before/).waitFor();
+  // Plan again searches for everything.
+  await makePlan(page);
+  assert.equal((await plan(page, server)).asked.edit_of, undefined);
+});
+
+flow('edits on a field with obstacles are seen at once', { skip: long }, async ({ page, server }) => {
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const best = await plan(page, server);
+  const [w, s, e, n] = best.bbox;
+  const at = (x, y) => [w + (e - w) * x, s + (n - s) * y];
+  const box = (x, y, right, up) => [at(x, y), at(right, y), at(right, up), at(x, up)];
+  const took = {};
+  const timed = async (name, run) => {
+    await still(page);
+    const old = hash(page);
+    const begin = await run();
+    await newPlan(page, old);
+    const figures_s = (Date.now() - begin) / 1000;
+    await page.waitForSelector('.map[aria-busy=false]');
+    took[name] = { figures_s, map_s: (Date.now() - begin) / 1000 };
+    assert.equal((await plan(page, server)).asked.edit_of, best.id);
+  };
+  const shape = (button, done, places) => async () => {
+    await hand(page).getByRole('button', { name: button }).click();
+    for (const place of places) await clickMap(page, place);
+    const begin = Date.now();
+    await bar(page).getByRole('button', { name: done }).click();
+    return begin;
+  };
+  await timed('drag', async () => {
+    await dragEnd(page, [30, 60]);
+    return Date.now();
+  });
+  await bar(page).getByRole('button', { name: 'Keep this direction' }).click();
+  await timed('forbid', shape('Forbid an area', 'Forbid this area', box(0.4, 0.4, 0.5, 0.5)));
+  await timed('cut', shape('Cut the field', 'Cut here', [at(0.55, -0.02), at(0.55, 1.02)]));
+  await timed('keep', shape('Keep a part as it is', 'Keep this part', box(0.55, -0.02, 1.02, 1.02)));
+  await timed('undo', async () => {
+    const begin = Date.now();
+    await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).click();
+    return begin;
+  });
+  console.log(JSON.stringify({ edits_on: 'riverside, 6 m', took }));
 });

@@ -1,9 +1,10 @@
 // The whole job: what is planned where nobody chooses, in hours, litres and euros.
 import assert from 'node:assert/strict';
-import { flow } from '../support/flow.mjs';
+import { readFileSync } from 'node:fs';
+import { flow, realFile } from '../support/flow.mjs';
 import { choose, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from '../support/page.mjs';
-import { ask, openId, smallField } from '../support/stored.mjs';
-
+import { example } from '../support/server.mjs';
+import { ask, openId, smallField, storeField, storePlan } from '../support/stored.mjs';
 
 const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b} ± ${by}`);
 
@@ -63,17 +64,21 @@ flow('a field opens with its last plan, and the form is as it was made', {}, asy
   const second = openId(page, 'plan');
   const made = (await ask(server, `/plans/${second}`)).asked;
 
-  await page.getByText('2 plans of this field').click();
+  // The draft of 12 m is still there: the plan along the edge is an edit of it.
+  await page.getByText('3 plans of this field').click();
   const rows = page.getByRole('region', { name: 'Plans of this field' }).locator('.card');
-  assert.equal(await rows.count(), 2);
-  assert.match(await rows.nth(0).innerText(), /12 m wide/);
-  await rows.nth(1).click();
+  assert.equal(await rows.count(), 3);
+  for (const [i, row] of [/12 m wide/, /12 m wide/, /6 m wide/].entries()) assert.match(await rows.nth(i).innerText(), row);
+  assert.ok(await rows.nth(0).locator('img').evaluate((img) => img.decode().then(() => img.naturalWidth > 0)), 'each has its picture');
+  await rows.nth(2).click();
   await page.waitForFunction((id) => location.hash.includes(`plan=${id}`), first);
   // The form follows once the plan has been read.
   const width = await page.getByLabel('Working width', { exact: true }).elementHandle();
   await page.waitForFunction((input) => input.value === '6', width);
   await page.waitForTimeout(800);
-  assert.equal((await ask(server, `/plans?field=${openId(page, 'field')}`)).length, 2, 'looking at a plan makes none');
+  const kept = await ask(server, `/plans?field=${openId(page, 'field')}`);
+  assert.equal(kept.length, 3, 'looking at a plan makes none');
+  assert.deepEqual(kept.map(({ draft }) => draft), [false, true, false], 'and keeps none');
 
   // In another window, with nothing in the address and nothing remembered.
   const other = await page.context().browser().newContext();
@@ -186,3 +191,62 @@ flow('figures come before layers, and layers are compressed and as fine as the s
   const numbers = (legs) => legs.flatMap((leg) => leg.geometry.coordinates.flat(Infinity)).length;
   assert.ok(numbers(coarse) > 0 && numbers(coarse) < numbers(fine), 'of fewer vertices');
 });
+
+flow('progress never falls, is not all before the plan is there, and says how long it takes still', {}, async ({ page, server }) => {
+  await openField(page, smallField(server.folder, 'angle'));
+  await goTo(page, 'Plan');
+  await page.evaluate(() => {
+    window.told = [];
+    new MutationObserver(() => {
+      const bar = document.querySelector('main progress');
+      if (bar) window.told.push([bar.value, bar.parentElement.innerText]);
+    }).observe(document.querySelector('main'), { subtree: true, childList: true, attributes: true, characterData: true });
+  });
+  await makePlan(page);
+  const told = await page.evaluate(() => window.told);
+  const shares = told.map(([share]) => share).filter((share) => share > 0);
+  assert.ok(new Set(shares).size >= 3, `steps of the progress: ${[...new Set(shares)].join()}`);
+  assert.ok(shares.every((share, i) => i === 0 || share >= shares[i - 1]), shares.join());
+  assert.ok(told.some(([, text]) => /left\.|Nearly done\./.test(text)), 'the time left is said');
+});
+
+/** Bytes of answers as they went over the line, by path. */
+async function bytesOf(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Network.enable');
+  const paths = new Map();
+  const sum = { figures: 0, layers: 0 };
+  session.on('Network.responseReceived', ({ requestId, response }) => paths.set(requestId, new URL(response.url).pathname));
+  session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
+    const path = paths.get(requestId) ?? '';
+    if (/\/layers\//.test(path)) sum.layers += encodedDataLength;
+    else if (/\/plans\//.test(path)) sum.figures += encodedDataLength;
+  });
+  return { session, sum };
+}
+
+const ONE_MBIT = 125_000;
+/** Fields with many corners make plans with many points. */
+const LARGE = realFile('fields', 'fields.geojson');
+for (const [name, skip, feature] of [
+  ['riverside', false, () => JSON.parse(readFileSync(example('riverside.geojson'))).features[0]],
+  ['bg/9', process.env.TRAMLINE_LONG ? LARGE.skip : 'a large field takes its time: make long-page', () => JSON.parse(readFileSync(LARGE.file)).features.find(({ properties }) => properties.id === 'bg/9')],
+]) {
+  flow(`a plan of ${name} at 1 Mbit/s`, { skip }, async ({ page, server }) => {
+    const field = await storeField(server, feature());
+    const plan = await storePlan(server, field, 5);
+    const { session, sum } = await bytesOf(page);
+    await session.send('Network.emulateNetworkConditions', { offline: false, latency: 40, downloadThroughput: ONE_MBIT, uploadThroughput: ONE_MBIT });
+    // The page itself is there already, as after the first visit: what comes is the plan.
+    await page.goto('about:blank');
+    const begin = Date.now();
+    await page.goto(`${server.address}/#view=plan&field=${field}&plan=${plan}`);
+    await page.locator('.figures').first().waitFor();
+    const figures_s = (Date.now() - begin) / 1000;
+    await page.waitForFunction(() => window.tramlineMap?.getSource('plan:tracks'));
+    await page.waitForSelector('.map[aria-busy=false]');
+    console.log(JSON.stringify({ at: '1 Mbit/s', field: name, bytes: sum, figures_s, map_s: (Date.now() - begin) / 1000 }));
+    // What the line can carry in five seconds.
+    assert.ok(sum.layers > 1000 && sum.figures + sum.layers < 5 * ONE_MBIT, JSON.stringify(sum));
+  });
+}

@@ -22,3 +22,27 @@ export function smallField(folder, shape = 'slant') {
   writeFileSync(file, JSON.stringify({ type: 'FeatureCollection', features: [{ type: 'Feature', properties: { name: `${shape} field` }, geometry: polygonOf(shape) }] }));
   return file;
 }
+
+const send = async (server, path, body, type = 'application/json') => {
+  const answer = await fetch(`${server.address}/api/v1${path}`, { method: 'POST', headers: { 'Content-Type': type }, body: typeof body === 'string' ? body : JSON.stringify(body) });
+  const json = await answer.json();
+  if (!answer.ok) throw new Error(`${path}: ${json.error?.message ?? answer.status}`);
+  return json;
+};
+
+/** Stores a field of a GeoJSON feature, without the page; its id. */
+export async function storeField(server, feature) {
+  const upload = await send(server, '/uploads?name=field.geojson', JSON.stringify({ type: 'FeatureCollection', features: [feature] }), 'application/geo+json');
+  return (await send(server, '/fields', { upload: upload.id })).id;
+}
+
+/** Plans the whole job on a stored field, without the page, and searches for so many seconds at the most; its id. */
+export async function storePlan(server, field, seconds, machine = { width_m: 6, radius_m: 6 }) {
+  let job = await send(server, '/jobs', { kind: 'plan', field, machine, seconds });
+  while (job.state === 'queued' || job.state === 'running') {
+    await new Promise((wake) => setTimeout(wake, 100));
+    job = await ask(server, `/jobs/${job.id}`);
+  }
+  if (job.state !== 'done') throw new Error(`${field}: ${JSON.stringify(job.error)}`);
+  return job.result.plan;
+}

@@ -22,6 +22,24 @@ TEST_F(ServerTest, SaysWhatItIs) {
   EXPECT_EQ(about.json["limits"]["upload_bytes"], 268435456);
 }
 
+TEST_F(ServerTest, AnswersArePackedOnceAndFast) {
+  const Got plain = served.get("/openapi.json");
+  ASSERT_GT(plain.text.size(), 10'000U);
+  httplib::Client client("127.0.0.1", served.port());
+  client.set_decompress(false);
+  const auto packed = client.Get("/api/v1/openapi.json", {{"Accept-Encoding", "gzip, deflate, br"}});
+  ASSERT_TRUE(packed);
+  // Brotli at its full effort takes a minute for a register.
+  EXPECT_EQ(packed->get_header_value("Content-Encoding"), "gzip");
+  EXPECT_EQ(packed->get_header_value("Content-Type"), "application/json");
+  EXPECT_EQ(packed->get_header_value_count("Content-Type"), 1U);
+  EXPECT_LT(packed->body.size(), plain.text.size() / 4);
+  client.set_decompress(true);
+  const auto unpacked = client.Get("/api/v1/openapi.json", {{"Accept-Encoding", "gzip"}});
+  ASSERT_TRUE(unpacked);
+  EXPECT_EQ(unpacked->body, plain.text);
+}
+
 TEST_F(ServerTest, NothingIsAtOtherAddresses) {
   EXPECT_EQ(served.get("/nothing").status, 404);
   EXPECT_EQ(served.get("/nothing").code(), "not_found");

@@ -42,6 +42,57 @@ class LandTest : public ServerTest {
   }
 };
 
+TEST_F(LandTest, AnEditKeepsHeadlandsAndDirections) {
+  const std::string field = rectangle();
+  const auto job = [&](const ordered_json& more) {
+    ordered_json request = {
+        {"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}};
+    request.update(more);
+    return request;
+  };
+  const auto made = [&](const ordered_json& more) {
+    const ordered_json done = served.job_of(served.post("/jobs", job(more)));
+    EXPECT_EQ(done["state"], "done") << done.dump();
+    return served.get("/plans/" + std::string(done["result"]["plan"])).json;
+  };
+  const auto passes = [&](const ordered_json& plan) {
+    return served.get("/plans/" + std::string(plan["id"]) + "/layers/headland_passes").json["features"];
+  };
+  const ordered_json best = made({{"draft", true}});
+  const ordered_json skip = {{{"kind", "skip"}, {"geometry", box(0.25, 0.25, 0.5, 0.5)}}};
+  const ordered_json edited =
+      made({{"draft", true}, {"edit_of", best["id"]}, {"settings", {{"land", skip}}}});
+  EXPECT_EQ(edited["asked"]["edit_of"], best["id"]);
+  EXPECT_EQ(edited["summary"]["direction_deg"], best["summary"]["direction_deg"]);
+  EXPECT_EQ(passes(edited), passes(best));
+  EXPECT_NEAR(edited["summary"]["given_up_m2"].get<double>(), 50 * 37.5, 5);
+  EXPECT_GT(edited["summary"]["whole_cost"]["euros"], best["summary"]["whole_cost"]["euros"]);
+  const ordered_json check = served.job_of(served.post("/jobs", {{"kind", "check"}, {"plan", edited["id"]}}));
+  EXPECT_TRUE(check["result"]["check"]["ok"].get<bool>()) << check.dump();
+
+  // North to south, or about: along the line.
+  const ordered_json line = {{9 + 0.5 * kEast_deg, 50 + 0.1 * kNorth_deg},
+                             {9 + 0.5 * kEast_deg, 50 + 0.9 * kNorth_deg}};
+  const ordered_json turned =
+      made({{"draft", true}, {"edit_of", best["id"]}, {"settings", {{"line", line}}}});
+  const double north_deg = turned["summary"]["direction_deg"][0];
+  EXPECT_LT(std::min(north_deg, 180 - north_deg), 0.1);
+  EXPECT_EQ(passes(turned), passes(best));
+  // The draft before is gone; the one that both are edits of is not, until a plan is made anew.
+  EXPECT_EQ(served.get("/plans/" + std::string(edited["id"])).status, 404);
+  EXPECT_EQ(served.get("/plans/" + std::string(best["id"])).status, 200);
+  const ordered_json anew = made({{"draft", true}});
+  EXPECT_EQ(served.get("/plans").json.size(), 1U) << anew["id"];
+  EXPECT_EQ(anew["summary"]["direction_deg"], best["summary"]["direction_deg"]);
+
+  // A plan is no plan of another shape of its field.
+  ASSERT_EQ(served.patch("/fields/" + field, {{"boundary", box(0, 0, 1, 0.8)}}).status, 200);
+  const ordered_json refused = served.job_of(served.post("/jobs", job({{"edit_of", anew["id"]}})));
+  EXPECT_EQ(refused["state"], "failed");
+  EXPECT_EQ(served.post("/jobs", job({{"edit_of", "nothing"}})).status, 404);
+  EXPECT_EQ(served.post("/jobs", job({{"edit_of", anew["id"]}, {"explain", true}})).status, 400);
+}
+
 TEST_F(LandTest, NoSwathEntersLandLeftOut) {
   const std::string field = rectangle();
   // A quarter of each side: 50 m by 37.5 m.

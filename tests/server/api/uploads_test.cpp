@@ -47,6 +47,8 @@ TEST_F(ServerTest, ListsAWholeRegisterByItsNumbersWithWhatGrowsThere) {
     features.push_back({{"type", "Feature"},
                         {"properties", {{"FLIK", fmt::format("DE{}", i)}, {"Kultur", "oats"}}},
                         {"geometry", square()}});
+  const ordered_json triangle = {{{9, 50}, {9.002, 50}, {9, 50.002}, {9, 50}}};
+  features[1]["geometry"] = {{"type", "Polygon"}, {"coordinates", triangle}};
   const Got sent = served.upload("register.geojson",
                                  ordered_json{{"type", "FeatureCollection"}, {"features", features}}.dump());
   ASSERT_EQ(sent.status, 201) << sent.text;
@@ -54,6 +56,10 @@ TEST_F(ServerTest, ListsAWholeRegisterByItsNumbersWithWhatGrowsThere) {
   EXPECT_EQ(sent.json["features_total"], kMany);
   const ordered_json last = sent.json["features"].back();
   EXPECT_EQ(last["name"], "DE599");
+  EXPECT_EQ(sent.json["features"][1]["rings"]["coordinates"][0], triangle) << "corners as they are, closed";
+  for (const ordered_json& feature : sent.json["features"])
+    for (const ordered_json& shape : feature["rings"]["coordinates"])
+      EXPECT_EQ(shape[0].front(), shape[0].back()) << "GeoJSON has closed rings";
   EXPECT_EQ(last["crop"], "oats");
   EXPECT_EQ(last["attributes"]["FLIK"], "DE599");
   const Got one = served.upload(

@@ -6,20 +6,24 @@ import { attempt } from './notices';
 type Done = (geometry: Geometry) => Promise<void>;
 let whenDone: Done = async () => {};
 let whenChanged: (places: Place[]) => void = () => {};
+let whenCancelled: () => void = () => {};
 
 interface Begin {
   /** A shape that is there already. */
   places?: Place[];
   /** Called at the end of each change, before the shape is done. */
   changed?: (places: Place[]) => void;
+  /** Called where the shape is not wanted after all. */
+  cancelled?: () => void;
 }
 
 const NOTHING = { chosen: null, past: [], future: [], pointed: false };
 
 /** Begins to draw, and gives the map the keyboard; `done` is what becomes of the shape. */
-export function drawFor(purpose: Purpose, done: Done, { places = [], changed = () => {} }: Begin = {}): void {
+export function drawFor(purpose: Purpose, done: Done, { places = [], changed = () => {}, cancelled = () => {} }: Begin = {}): void {
   whenDone = done;
   whenChanged = changed;
+  whenCancelled = cancelled;
   drawing.set({ ...NOTHING, purpose, places });
   document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
 }
@@ -27,6 +31,12 @@ export function drawFor(purpose: Purpose, done: Done, { places = [], changed = (
 /** An edge of the field is picked instead of drawing a line. */
 export const pickEdge = () => drawing.set({ ...NOTHING, purpose: 'edge', places: [] });
 export const stop = () => drawing.set({ ...NOTHING, purpose: null, places: [] });
+/** Stops, and takes back what changes have done already. */
+export function cancel(): void {
+  const { purpose } = drawing.get();
+  stop();
+  if (purpose && purpose !== 'edge') whenCancelled();
+}
 
 function change(places: Place[], more: { chosen?: number | null; pointed?: boolean } = {}): void {
   const { past, places: before } = drawing.get();

@@ -26,11 +26,16 @@ async function opened(field: FieldFull, plan: string | null = null): Promise<voi
     hand.set({ past: [], future: [], best: null });
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
+  plans.set({ coming: true });
   fields.set({ open: field });
-  const list = await loadPlans(field.id);
-  const wanted = plan ?? plans.get().open?.id ?? list[0]?.id;
-  // What an address names may be gone by now: then the field simply opens without it.
-  if (wanted && wanted !== plans.get().open?.id) await openPlan(wanted).catch(() => {});
+  try {
+    const list = await loadPlans(field.id);
+    const wanted = plan ?? plans.get().open?.id ?? list[0]?.id;
+    // What an address names may be gone by now: then the field simply opens without it.
+    if (wanted && wanted !== plans.get().open?.id) await openPlan(wanted).catch(() => {});
+  } finally {
+    plans.set({ coming: false });
+  }
   void attempt(() => takeUpPlanning(field.id));
 }
 

@@ -3,8 +3,8 @@ import { api } from '../api/client';
 import { follow } from '../api/jobs';
 import type { Job } from '../api/types';
 import { fields } from '../state/fields';
-import { form, isShowing, requestOf } from '../state/plan_form';
-import { hand } from '../state/hand';
+import { butForTheHand, form, isShowing, requestOf } from '../state/plan_form';
+import { bestOf, hand, type Best } from '../state/hand';
 import { plans } from '../state/plans';
 import { attempt, note } from './notices';
 import { loadPlans, openPlan, showPlan } from './plans';
@@ -20,16 +20,52 @@ function soon(): { seconds?: number } {
   return past.length + future.length > 0 ? { seconds: AT_ONCE_S } : {};
 }
 
+/** Whether edits can begin from the plan: it is stored, and of the shape that the field has now. */
+export const editable = (plan: string) => plans.get().list.some((item) => item.id === plan && !item.earlier_shape);
+
+/** After a reload, what the plan on the map was an edit of. */
+async function foundBest(): Promise<Best | null> {
+  const first = plans.get().open?.asked?.edit_of;
+  if (!first || !editable(first)) return null;
+  const best = bestOf(await api.plan(first), form.get());
+  hand.set({ best });
+  return best;
+}
+
+/** The plan that the next one is an edit of; null where it has to be planned anew. */
+async function editOf(field: string): Promise<string | null> {
+  const { past, future } = hand.get();
+  const best = hand.get().best ?? await foundBest();
+  if (past.length + future.length === 0 || best?.field !== field || !editable(best.plan) || best.asked !== butForTheHand(form.get(), field)) return null;
+  return best.plan;
+}
+
 /** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
 export async function makePlan(draft = false): Promise<void> {
   const field = fields.get().open;
   if (!field) return;
   const mine = ++run;
   clearTimeout(timer); // what is planned now needs no second time
+  await endGoing();
+  const first = draft ? await editOf(field.id) : null;
+  if (mine !== run) return;
+  const job = await api.startJob({
+    kind: 'plan', ...requestOf(form.get(), field.id), ...(first === null ? { explain: true } : { edit_of: first }), ...(draft ? { draft, ...soon() } : {}),
+  });
+  await finish(job, mine, showPlan);
+}
+
+async function endGoing(): Promise<void> {
   const going = plans.get().job;
   if (going) await api.cancelJob(going.id).catch(() => {});
-  const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft, ...soon() } : {}) });
-  await finish(job, mine, showPlan);
+}
+
+/** What is being planned is not wanted any more. */
+export async function dropPlanning(): Promise<void> {
+  ++run;
+  clearTimeout(timer);
+  await endGoing();
+  plans.set({ job: null });
 }
 
 /** Follows a job to its plan, and shows that if its field is still the open one. */

@@ -9,6 +9,8 @@ export function planFile(plan: string, format: string, query: Record<string, str
   const words = Object.entries(query).map(([key, value]) => `${key}=${id(value)}`).join('&');
   return `${base}/plans/${id(plan)}/files/${format}${words ? `?${words}` : ''}`;
 }
+/** A small picture, which leaves a draft a draft. */
+export const planThumbnail = (plan: string) => `${base}/plans/${id(plan)}/thumbnail`;
 export const driveFile = (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`;
 
 export const jobEvents = (job: string) => `${base}/jobs/${id(job)}/events`;

@@ -177,6 +177,8 @@ export interface PlanRequest {
   /** The search ends then with the best plan that it has. */
   seconds?: number;
   name?: string;
+  /** The plan that this one is an edit of: its headland passes, and the directions that nothing else decides, are kept. */
+  edit_of?: string;
 }
 
 export type JobRequest =
@@ -363,6 +365,7 @@ export interface Asked {
   machine: Machine;
   objective?: { prices: Prices };
   settings?: PlanSettings;
+  edit_of?: string;
 }
 export interface PlanFull {
   id: string;

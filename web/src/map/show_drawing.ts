@@ -1,6 +1,6 @@
 // Clicks and keys on the map while something is drawn or an edge is picked.
 import type { MapLayerMouseEvent, MapLayerTouchEvent } from 'maplibre-gl';
-import { add, choose, finish, insert, move, moved, redo, removeCorner, stop, undo } from '../actions/drawing';
+import { add, cancel, choose, finish, insert, move, moved, redo, removeCorner, stop, undo } from '../actions/drawing';
 import { edit } from '../actions/hand';
 import type { Feature, Place } from '../api/types';
 import { closed, drawing, fixedEnds, least, single } from '../state/drawing';
@@ -133,7 +133,7 @@ export function followDrawing({ map, fill }: LiveMap): void {
     else if (event.key.toLowerCase() === 'z' && (event.ctrlKey || event.metaKey)) event.shiftKey ? redo() : undo();
     else if (event.key.toLowerCase() === 'y' && (event.ctrlKey || event.metaKey)) redo();
     else if (event.key === 'Backspace' || event.key === 'Delete') removeCorner();
-    else if (event.key === 'Escape') stop();
+    else if (event.key === 'Escape') cancel();
     else return;
     event.preventDefault();
   });

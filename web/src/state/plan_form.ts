@@ -158,6 +158,12 @@ export function requestOf(asked: PlanForm, field: string): PlanRequest {
   return { field, machine, settings: settingsOf(value), ...(value.by === 'whole' ? {} : { objective: { prices: pricesOf(value) } }) };
 }
 
+/** What a request says but for what is done by hand. */
+export function butForTheHand(value: PlanForm, field: string): string {
+  const { name: _, ...machine } = value.machine;
+  return JSON.stringify(requestOf({ ...value, machine, line: null, land: [], shape: 'auto' }, field));
+}
+
 /** A comparison takes straight tracks in directions of its own, and as many headland passes as it is told. */
 export interface CompareRequest {
   request: PlanRequest;

@@ -14,11 +14,13 @@ export const plans = store<{
   detail_m: number;
   /** Layers of the open plan are still on their way. */
   drawing: boolean;
+  /** A field is being opened, and its plan with it. */
+  coming: boolean;
   job: Job | null;
   checking: Job | null;
   checked: { plan: string; check: Check } | null;
   machines: Machine[];
-}>({ list: [], open: null, before: null, layers: [], shown: {}, shapes: {}, detail_m: 0, drawing: false, job: null, checking: null, checked: null, machines: [] });
+}>({ list: [], open: null, before: null, layers: [], shown: {}, shapes: {}, detail_m: 0, drawing: false, coming: false, job: null, checking: null, checked: null, machines: [] });
 
 /** On when a plan is opened; everything else is switched on by the user, and stays so. */
 const FIRST_SHOWN = ['tracks', 'route_legs', 'headland_passes', 'headland', 'headland_unworked', 'detours', 'overlap', 'outside', 'uncovered', 'obstacles', 'subfields'];

@@ -26,6 +26,10 @@ void require_picture_width(const PictureOptions& options);
 /// the file cannot be written.
 void draw_plan(const Plan& plan, const std::filesystem::path& path, const PictureOptions& options = {});
 
+/// Draws the plan alone, without any text, as small as in a list: from 40 to 600 pixels wide, at most 1.2
+/// times as high. The same plan gives the same bytes. Format, wholeness and errors as draw_plan().
+void draw_thumbnail(const Plan& plan, const std::filesystem::path& path, int width_px);
+
 /// A plan of a sheet of small maps, with what is said above its map.
 struct SmallMap {
   Plan plan;

@@ -13,7 +13,7 @@ namespace tramline {
 namespace {
 
 /// So many times passes are added. Each time the ends of tracks move.
-constexpr int kMostRounds = 8;
+constexpr int kMostForesights = 8;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ PassesByBoundary foreseen_passes(const PlanningProblem& problem, const Plan& lay
   Plan plan = layout;
   PassesByBoundary best = passes;
   int fewest = std::numeric_limits<int>::max();
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostForesights; ++round) {
     context.report();
     plan.pieces = shortened_tracks(layout, passes);
     const int stops = plan_turns(land, plan), without = turns_without_room(plan) + stops;

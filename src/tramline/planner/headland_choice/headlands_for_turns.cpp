@@ -14,7 +14,7 @@ namespace tramline {
 namespace {
 
 /// So many times passes are added where turns lack room between tracks laid anew: their offset has changed.
-constexpr int kMostRounds = 2;
+constexpr int kMostDeepenings = 2;
 /// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
 constexpr int kMorePasses = 2;
 
@@ -107,7 +107,7 @@ class HeadlandsForTurns {
   /// The best plan of a few rounds, each with the passes added that the one before lacked.
   std::optional<Tried> improved(PassesByBoundary passes) const {
     std::optional<Tried> best;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostDeepenings; ++round) {
       context_.report();
       std::optional<Tried> tried = tried_with(passes);
       if (!tried) return best;

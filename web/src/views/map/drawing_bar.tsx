@@ -1,6 +1,6 @@
 // What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last point.
 import { useState } from 'preact/hooks';
-import { add, finish, redo, removeCorner, stop, undo } from '../../actions/drawing';
+import { add, cancel, finish, redo, removeCorner, undo } from '../../actions/drawing';
 import { complain } from '../../actions/notices';
 import type { Place } from '../../api/types';
 import { hectares, metres, plural, squareMetres } from '../../format';
@@ -51,7 +51,7 @@ export function DrawingBar() {
         {purpose !== 'edge' && <Button disabled={past === 0} onClick={undo}>{t`Undo`}</Button>}
         {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>{t`Redo`}</Button>}
         {purpose !== 'edge' && !single(purpose) && !fixedEnds(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>{t`Delete the corner`}</Button>}
-        <Button onClick={stop}>{t`Cancel`}</Button>
+        <Button onClick={cancel}>{t`Cancel`}</Button>
       </div>
     </div>
   );

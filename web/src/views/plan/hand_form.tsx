@@ -1,6 +1,6 @@
 // A hand on the plan: its direction, its parts, and what is left out; each step held against the plan that nobody had a hand in.
 import { drawFor } from '../../actions/drawing';
-import { addLand, alongLine, lockPart, redoEdit, removeLand, undoEdit } from '../../actions/hand';
+import { addLand, alongLine, forgetEdits, lockPart, redoEdit, removeLand, undoEdit } from '../../actions/hand';
 import { note } from '../../actions/notices';
 import type { Geometry, Land, Place, PlanFull } from '../../api/types';
 import { area, degrees, length, money } from '../../format';
@@ -59,7 +59,9 @@ export function HandForm({ plan }: { plan: PlanFull }) {
       <h2 id="hand-title">{t`By hand`}</h2>
       <div class="row">
         {track && (
-          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), { places: line && line.length === 2 ? line : borderBeside([track[0]!, track[track.length - 1]!], plan.summary.width_m), changed: alongLine })}>
+          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), {
+            places: line && line.length === 2 ? line : borderBeside([track[0]!, track[track.length - 1]!], plan.summary.width_m), changed: alongLine, cancelled: () => forgetEdits(past.length),
+          })}>
             {t`Drag the direction`}
           </Button>
         )}
@@ -88,7 +90,8 @@ export function HandForm({ plan }: { plan: PlanFull }) {
       {more !== null && !job && (
         <p class="verdict" role="status">
           {Math.abs(more) < 0.005 ? t`It costs as much as the best plan.` : more > 0 ? t`${money(more)} more than the best plan.` : t`${money(-more)} less than the plan before.`}
-          {plan.summary.cut_short && <span class="sub">{t`Searched for a moment only. Press Plan again for the whole search.`}</span>}
+          {plan.asked?.edit_of && <span class="sub">{t`Headlands and directions that you left alone are those of the best plan. Press Plan again to search for better ones.`}</span>}
+          {plan.summary.cut_short && !plan.asked?.edit_of && <span class="sub">{t`Searched for a moment only. Press Plan again for the whole search.`}</span>}
         </p>
       )}
       {past.length + future.length > 0 && (
