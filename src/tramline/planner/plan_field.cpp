@@ -18,6 +18,7 @@
 #include "tramline/planner/curved/zhou_plan.h"
 #include "tramline/planner/explain/explanation.h"
 #include "tramline/planner/given/given_search.h"
+#include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/headland_choice/headlands_for_turns.h"
 #include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/headland_choice/room_beyond.h"
@@ -247,11 +248,44 @@ Plan with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout
   return plan_with_headlands_for_turns(problem, layout, behind_passes, context);
 }
 
-ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, const SearchContext& context) {
+enum class Decides { kCostOfTracks, kWholeCost };
+
+/// The plan, or the same layout behind passes all round the field where its route costs less: from one pass
+/// on as long as more of them cost less.
+Plan or_behind_passes_all_round(Plan plan, const PlanningProblem& problem, const Plan& layout,
+                                const SearchContext& context) {
+  constexpr int kMostPasses = 6;
+  const auto price = [](const Plan& of) { return compared_price(alternative_of(Alternative::kSearched, of)); };
+  PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), plan.headland.obstacle_passes};
+  passes.obstacles.resize(problem.field.obstacles.size(), 0);
+  double least = price(plan), before = kAnyCost;
+  for (int all_round = 1; all_round <= kMostPasses && !context.has_to_end(); ++all_round) {
+    passes.edges.assign(passes.edges.size(), all_round);
+    std::optional<HeadlandTrial> trial =
+        headland_trial(problem, layout, as_set(problem, passes), Offset::kOfLayout, context);
+    if (!trial) break;
+    Plan other = finished(*std::move(trial), TurnPlanning::kRoute, context);
+    const double costs = price(other);
+    if (costs < least) {
+      least = costs;
+      plan = std::move(other);
+    }
+    if (costs > before) break;
+    before = costs;
+  }
+  return plan;
+}
+
+/// `decides`: between the headlands that the turns of the layout need, where tracks end, and others.
+ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, Decides decides,
+                                               const SearchContext& context) {
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const Plan layout = searched(bare, context.for_layout(), Explain::kNo).plan;
   if (layout.subfields.empty()) return planned_without_tracks(problem, context);
-  return {with_headlands_for_turns(problem, layout, context), std::nullopt};
+  Plan out = with_headlands_for_turns(problem, layout, context);
+  if (decides == Decides::kWholeCost && problem.settings.headland_rule == HeadlandRule::kTurns)
+    out = or_behind_passes_all_round(std::move(out), problem, layout, context.uncounted().without_bound());
+  return {std::move(out), std::nullopt};
 }
 
 /// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do: of
@@ -287,12 +321,14 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
 }
 
 ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
+  const bool whole = problem.settings.aim == Aim::kWholeCost && problem.settings.turns == TurnPlanning::kRoute;
+  const Decides decides = whole ? Decides::kWholeCost : Decides::kCostOfTracks;
   if (!compares_routes(problem.settings)) problem.settings.aim = Aim::kCost;
   ExplainedPlan out;
   if (compares_routes(problem.settings))
     out = planned_by_routes(problem, context, explain);
   else if (headlands_follow_turns(problem.settings))
-    out = planned_with_headlands_for_turns(problem, context);
+    out = planned_with_headlands_for_turns(problem, decides, context);
   else
     out = searched(problem, context, explain);
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
