@@ -235,15 +235,14 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
     try {
       const Reference reference = reference_along(task, line, 0.1);
       const Subfield subfield = *subfield_along(task, part, reference);
-      const Candidate whole =
-          plain_candidate(task, ground, subfield, std::numeric_limits<double>::infinity());
+      const Candidate whole = plain_candidate(task, ground, subfield, {});
       if (!whole.works()) continue;
       ++families;
       plain += asks_for_detours(task) ? 0 : 1;
-      const Candidate again = plain_candidate(task, ground, subfield, whole.cost());
+      const Candidate again = plain_candidate(task, ground, subfield, {whole.cost()});
       EXPECT_EQ(again.cost(), whole.cost());
       EXPECT_EQ(again.avoided.tally.pieces, whole.avoided.tally.pieces);
-      const Candidate costlier = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
+      const Candidate costlier = plain_candidate(task, ground, subfield, {0.5 * whole.cost()});
       if (!costlier.works()) {
         ++given_up;
         EXPECT_FALSE(asks_for_detours(task));
