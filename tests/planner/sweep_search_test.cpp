@@ -52,8 +52,8 @@ TEST(SweepSearch, SaysHowManyDirectionsItLeavesOut) {
   EXPECT_LT(plan.directions_tried, 300);
 }
 
-// With a pole in the way the best search looks at the sweep itself, without one it does not: the plan, and what
-// it says of its directions, is the same whether the candidates are asked for or not.
+// With a pole in the way the best search looks at the sweep itself, without one it does not: the plan, and
+// what it says of its directions, is the same whether the candidates are asked for or not.
 TEST(BestSearch, FindsTheSameWithoutTheCandidatesOfTheSweep) {
   for (const bool pole : {false, true}) {
     Field field;

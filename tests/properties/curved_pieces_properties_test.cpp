@@ -263,8 +263,9 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
   EXPECT_GE(3 * given_up, cases < 20 ? 0 : families);
 }
 
-// Half of a field stays uncovered where tracks cover the other half only: with that much as the limit a family
-// is given up after its first track, and by hand 10 000 m² at 0.1 €/m² leave 500 € for the half beside it.
+// Half of a field stays uncovered where tracks cover the other half only: with that much as the limit a
+// family is given up after its first track, and by hand 10 000 m² at 0.1 €/m² leave 500 € for the half beside
+// it.
 TEST(CurvedPieces, LandBesideTheSubfieldStaysUncovered) {
   Field field;
   field.outer = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};

@@ -7,11 +7,11 @@
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
 // thresholds of his comparisons. --whole 1: the plan that the program makes without further options, of which
-// the cost is that of the whole route, in euros. A line for every field, tab-separated: id, hectares, corners,
-// obstacles, processor time in ms, cost, bound, cost and bound of undivided plans, directions tried, and a sum
-// over every number of the plan's tracks and of its route, so that two builds can be compared by `diff` but
-// for the times. Fields are planned side by side, as best_real does; the last lines have the quantiles of
-// groups of fields, and how many fields a second of processor time holds.
+// the cost is that of the whole route, in euros. A line for every field, tab-separated: id, hectares,
+// corners, obstacles, processor time in ms, cost, bound, cost and bound of undivided plans, directions tried,
+// and a sum over every number of the plan's tracks and of its route, so that two builds can be compared by
+// `diff` but for the times. Fields are planned side by side, as best_real does; the last lines have the
+// quantiles of groups of fields, and how many fields a second of processor time holds.
 
 #include <fmt/format.h>
 
@@ -86,8 +86,9 @@ std::uint64_t sum_of(const Plan& plan) {
   }
   for (const RouteLeg& leg : plan.route.legs)
     for (const SteeredStretch& stretch : leg.path)
-      for (const double value : {stretch.start.at.x, stretch.start.at.y, stretch.start.heading.angle().radians(),
-                                 stretch.length_m, stretch.curvature_at_start, leg.time_s, leg.missing_m})
+      for (const double value :
+           {stretch.start.at.x, stretch.start.at.y, stretch.start.heading.angle().radians(), stretch.length_m,
+            stretch.curvature_at_start, leg.time_s, leg.missing_m})
         sum.add(value);
   return sum.value();
 }
@@ -130,8 +131,9 @@ Timed timed(const Field& field, const Request& request) {
     out.seconds = (thread_seconds() - start) / request.repeat;
     out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
                           1e3 * out.seconds, request.whole ? whole_cost(plan).euros() : plan.cost,
-                          request.whole ? plan.route.proof.bound_s : plan.proof.bound, plan.proof.one_direction_cost,
-                          plan.proof.one_direction_bound, plan.directions_tried, sum_of(plan));
+                          request.whole ? plan.route.proof.bound_s : plan.proof.bound,
+                          plan.proof.one_direction_cost, plan.proof.one_direction_bound,
+                          plan.directions_tried, sum_of(plan));
   } catch (const Error& error) {
     out.seconds = thread_seconds() - start;
     out.row = fmt::format("{}\t{:.1f}\t{}", head, 1e3 * out.seconds, error.what());

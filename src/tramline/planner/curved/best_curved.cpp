@@ -60,9 +60,9 @@ double soft_cost(const SearchTask& task, const Candidate& candidate) {
   return cost(prices, candidate.avoided.tally);
 }
 
-/// The costs of the best few families so far, and, where detours may be looked for, what the best ones cost if
-/// stops were cheap: a family that is certain to cost more need not be completed. A family abandoned because
-/// of the last of these would not have been among them in any order.
+/// The costs of the best few families so far, and, where detours may be looked for, what the best ones cost
+/// if stops were cheap: a family that is certain to cost more need not be completed. A family abandoned
+/// because of the last of these would not have been among them in any order.
 class BestCosts {
  public:
   /// So many of them, none of which is more than what is known, and as many with cheap stops.
@@ -139,8 +139,8 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
     // boundary.
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
-  // With detours the cheapest ones may not be: those that promising() chooses have to be complete. Among twice
-  // as many that cost least if stops are cheap, there are as many besides those that cost least.
+  // With detours the cheapest ones may not be: those that promising() chooses have to be complete. Among
+  // twice as many that cost least if stops are cheap, there are as many besides those that cost least.
   static_assert(kMoved <= kDetoursTried);
   const bool detours = asks_for_detours(task);
   BestCosts best_few(detours ? kDetoursTried : kMoved, kAnyCost, detours ? 2 * kDetoursTried : 0);

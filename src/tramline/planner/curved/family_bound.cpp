@@ -35,8 +35,7 @@ bool FamilyBound::exceeds(const CostLimits& limits, int index) const {
   const double not_passed_m2 = std::max(0.0, subfield_m2_ - (1 - kShared) * passed_m2_);
   const double left_m2 = std::max(0.0, not_worked_m2 - not_passed_m2);
   const double without_stops = price.overlap * overlap_m2_ + price.uncovered * left_m2 +
-                               price.turn * (entered_ - 1) +
-                               least_rate(index) * (not_worked_m2 - left_m2);
+                               price.turn * (entered_ - 1) + least_rate(index) * (not_worked_m2 - left_m2);
   const auto is_above = [&](double limit, double stop_price) {
     return (without_stops + stop_price * stops_) * (1 - kRounding_share) - kRounding_cost > limit;
   };

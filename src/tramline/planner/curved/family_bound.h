@@ -8,8 +8,8 @@
 
 namespace tramline {
 
-/// Costs above which a family need not be completed: its own, and its cost if stops cost no more than turns, as
-/// if most obstacles had a way round. It has to be above both.
+/// Costs above which a family need not be completed: its own, and its cost if stops cost no more than turns,
+/// as if most obstacles had a way round. It has to be above both.
 struct CostLimits {
   double cost = std::numeric_limits<double>::infinity();
   double soft = -std::numeric_limits<double>::infinity();

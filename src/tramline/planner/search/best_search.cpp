@@ -64,9 +64,7 @@ struct PartResult {
 class BestSearch {
  public:
   BestSearch(const SearchTask& task, const SearchContext& context, double no_more_than)
-      : task_(task),
-        context_(context),
-        no_more_than_(no_more_than) {
+      : task_(task), context_(context), no_more_than_(no_more_than) {
     if (context.wants_sweep()) swept();
   }
 
@@ -231,8 +229,7 @@ class BestSearch {
 
   /// The plans to try with detours: the best with detours need not be the best with all tracks cut nor the
   /// best with free stops, so the best few of either are tried, and the sweep's.
-  void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found,
-                            std::vector<Grounds>& ways) {
+  void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found, std::vector<Grounds>& ways) {
     const Polygon& shape = task_.ground.plannable[part];
     for (std::size_t i = 0; i < kHinderedTries; ++i) {
       if (i > 0 && i < found.grids.size()) ways.push_back({gridded(shape, found.grids[i])});

@@ -29,7 +29,7 @@ class ArcRoom {
  private:
   /// Of arcs to one side.
   struct Known {
-    double has_m = 0;                                         ///< room up to this length
+    double has_m = 0;                                          ///< room up to this length
     double lacks_m = std::numeric_limits<double>::infinity();  ///< and none from this one on
   };
   struct AtPose {

@@ -103,7 +103,6 @@ std::optional<Manoeuvre> first_before_ends(const Hop& hop, const AllowedLand& la
   return std::nullopt;
 }
 
-
 /// The quickest with room of those that lead over tracks; nullptr where there is none.
 const Manoeuvre* first_over_tracks(const std::vector<HopWay>& ways, const AllowedLand& land,
                                    const Outline& outline) {
@@ -144,8 +143,7 @@ PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Ma
     return fitting(*before);
   const Outline outline = outline_of(machine);
   const std::vector<HopWay> direct = manoeuvres_over(hop, machine, least);
-  if (const Manoeuvre* fits = first_over_tracks(direct, land, outline))
-    return fitting(*fits);
+  if (const Manoeuvre* fits = first_over_tracks(direct, land, outline)) return fitting(*fits);
   return without_room(direct, land, outline);
 }
 

@@ -29,8 +29,8 @@ double dubins_length(const Pose& from, const Pose& to, double radius_m);
 /// The shortest of dubins_words(), without building the others. Precondition: radius_m > 0.
 Manoeuvre shortest_dubins(const Pose& from, const Pose& to, double radius_m);
 
-/// A word by its numbers: letters as if it began to the left, an amount for each (rad of a turn, m of a line),
-/// and whether L stands for a turn to the right.
+/// A word by its numbers: letters as if it began to the left, an amount for each (rad of a turn, m of a
+/// line), and whether L stands for a turn to the right.
 struct DubinsNumbers {
   const char* letters = "";
   bool mirrored = false;

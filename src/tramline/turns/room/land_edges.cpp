@@ -67,7 +67,8 @@ bool LandEdges::lie_between(Point a, Point b) const {
   constexpr double kInLine_m = 1e-9;
   const Point way = b - a;
   bool odd = false, in_line = false;
-  // On which side of the line along a vector a point is. A vector is no longer than the sum of its components.
+  // On which side of the line along a vector a point is. A vector is no longer than the sum of its
+  // components.
   const auto is_left = [&in_line](double twice_area_m2, Point along) {
     if (std::abs(twice_area_m2) <= kInLine_m * (std::abs(along.x) + std::abs(along.y)) &&
         std::abs(twice_area_m2) <= kInLine_m * length(along))
