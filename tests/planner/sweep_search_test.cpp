@@ -10,6 +10,7 @@
 
 #include "planner/prepared.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
 namespace {
@@ -49,6 +50,29 @@ TEST(SweepSearch, SaysHowManyDirectionsItLeavesOut) {
       plan.directions_tried);
   EXPECT_EQ(std::count(plan.warnings.begin(), plan.warnings.end(), said), 1) << plan.warnings.front();
   EXPECT_LT(plan.directions_tried, 300);
+}
+
+// With a pole in the way the best search looks at the sweep itself, without one it does not: the plan, and
+// what it says of its directions, is the same whether the candidates are asked for or not.
+TEST(BestSearch, FindsTheSameWithoutTheCandidatesOfTheSweep) {
+  for (const bool pole : {false, true}) {
+    Field field;
+    field.outer = {{0, 0}, {120, 10}, {110, 90}, {60, 70}, {20, 140}};
+    if (pole) {
+      field.obstacles.emplace_back();
+      field.obstacles.back().shape.outer = {{50, 40}, {53, 40}, {53, 43}, {50, 43}};
+    }
+    const testing::Prepared prepared{{field, {"", 6, 6, -1}, {}, {}}};
+    const SearchTask task = prepared.task();
+    const SearchContext context = SearchContext(1).without_bound();
+    const SearchResult asked = straight_search(task, context),
+                       not_asked = straight_search(task, context.without_sweep());
+    EXPECT_FALSE(asked.swept.empty());
+    EXPECT_EQ(not_asked.swept.empty(), !pole);
+    EXPECT_EQ(not_asked.best.cost(), asked.best.cost());
+    EXPECT_EQ(not_asked.best.avoided.tally.pieces, asked.best.avoided.tally.pieces);
+    EXPECT_EQ(not_asked.directions_tried, asked.directions_tried);
+  }
 }
 
 /// A comb of 60 teeth, each side with a direction of its own, and a pole.

@@ -215,10 +215,16 @@ TEST(CurvedPiecesProperties, SubfieldsWorkGroundForOneAnother) {
   EXPECT_GT(shared, 0);
 }
 
-// A family is given up only where it costs more than was asked for, and else it is what it is: whatever the
-// prices, the line, and the obstacles. Where detours may make it cheaper it never is.
+/// The cost with stops that cost no more than turns.
+double soft_cost(Objective prices, const Candidate& candidate) {
+  prices.stop = std::min(prices.stop, prices.turn);
+  return cost(prices, candidate.avoided.tally);
+}
+
+// A family is given up only where it costs more than was asked for, also if stops are cheap where that is
+// asked for, and else it is what it is: whatever the prices, the line, and the obstacles.
 TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
-  int families = 0, plain = 0, given_up = 0;
+  int families = 0, given_up = 0;
   const int cases = testing::case_count(60);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
@@ -235,28 +241,42 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
     try {
       const Reference reference = reference_along(task, line, 0.1);
       const Subfield subfield = *subfield_along(task, part, reference);
-      const Candidate whole =
-          plain_candidate(task, ground, subfield, std::numeric_limits<double>::infinity());
+      const Candidate whole = plain_candidate(task, ground, subfield, {});
       if (!whole.works()) continue;
       ++families;
-      plain += asks_for_detours(task) ? 0 : 1;
-      const Candidate again = plain_candidate(task, ground, subfield, whole.cost());
+      const Candidate again = plain_candidate(task, ground, subfield, {whole.cost()});
       EXPECT_EQ(again.cost(), whole.cost());
       EXPECT_EQ(again.avoided.tally.pieces, whole.avoided.tally.pieces);
-      const Candidate costlier = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
-      if (!costlier.works()) {
+      const Candidate costlier = plain_candidate(task, ground, subfield, {0.5 * whole.cost()});
+      if (!costlier.works())
         ++given_up;
-        EXPECT_FALSE(asks_for_detours(task));
-      } else {
+      else
         EXPECT_EQ(costlier.cost(), whole.cost());
-      }
+      const Candidate as_soft =
+          plain_candidate(task, ground, subfield, {0.5 * whole.cost(), soft_cost(prices, whole)});
+      EXPECT_EQ(as_soft.cost(), whole.cost());
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;
     }
   }
   EXPECT_GE(2 * families, cases < 20 ? 0 : cases);
-  EXPECT_GT(plain, cases < 20 ? -1 : 0);
-  EXPECT_GE(4 * given_up, cases < 20 ? 0 : plain);
+  EXPECT_GE(3 * given_up, cases < 20 ? 0 : families);
+}
+
+// Half of a field stays uncovered where tracks cover the other half only: with that much as the limit a
+// family is given up after its first track, and by hand 10 000 m² at 0.1 €/m² leave 500 € for the half beside
+// it.
+TEST(CurvedPieces, LandBesideTheSubfieldStaysUncovered) {
+  Field field;
+  field.outer = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+  const testing::Prepared prepared{{field, {"", 5, 6, -1}, {0.02, 0.1, 0, 0}, {}}};
+  const SearchTask task = prepared.task();
+  const Polygon half{{{0, 0}, {50, 0}, {50, 100}, {0, 100}}, {}};
+  const CurvedGround ground = curved_ground(task, half);
+  const Subfield subfield = *subfield_along(task, half, reference_along(task, {{0, 0}, {0, 100}}, 0.1));
+  EXPECT_NEAR(plain_candidate(task, ground, subfield, {}).cost(), 500, 1e-6);
+  EXPECT_TRUE(plain_candidate(task, ground, subfield, {501}).works());
+  EXPECT_FALSE(plain_candidate(task, ground, subfield, {499}).works());
 }
 
 }  // namespace

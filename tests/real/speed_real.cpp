@@ -2,14 +2,16 @@
 //
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
+//              [--whole 1]
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
-// thresholds of his comparisons. A line for every field, tab-separated: id, hectares, corners, obstacles,
-// processor time in ms, cost, bound, cost and bound of undivided plans, directions tried, and a sum over
-// every number of the plan's tracks, so that two builds can be compared by `diff` but for the times. Fields
-// are planned side by side, as best_real does; the last lines have the quantiles of groups of fields, and how
-// many fields a second of processor time holds.
+// thresholds of his comparisons. --whole 1: the plan that the program makes without further options, of which
+// the cost is that of the whole route, in euros. A line for every field, tab-separated: id, hectares,
+// corners, obstacles, processor time in ms, cost, bound, cost and bound of undivided plans, directions tried,
+// and a sum over every number of the plan's tracks and of its route, so that two builds can be compared by
+// `diff` but for the times. Fields are planned side by side, as best_real does; the last lines have the
+// quantiles of groups of fields, and how many fields a second of processor time holds.
 
 #include <fmt/format.h>
 
@@ -41,6 +43,7 @@ struct Request {
   Objective prices{};
   bool sweep = false;
   bool with_obstacles = false;
+  bool whole = false;
 };
 
 struct Timed {
@@ -81,6 +84,12 @@ std::uint64_t sum_of(const Plan& plan) {
     sum.add(encounter.left.cost);
     sum.add(encounter.right.cost);
   }
+  for (const RouteLeg& leg : plan.route.legs)
+    for (const SteeredStretch& stretch : leg.path)
+      for (const double value :
+           {stretch.start.at.x, stretch.start.at.y, stretch.start.heading.angle().radians(), stretch.length_m,
+            stretch.curvature_at_start, leg.time_s, leg.missing_m})
+        sum.add(value);
   return sum.value();
 }
 
@@ -105,6 +114,13 @@ Timed timed(const Field& field, const Request& request) {
     settings.merge_threshold = Angle::degrees(15);
     settings.decomposition_threshold = Angle::degrees(205);
   }
+  if (request.whole) {
+    settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
+    settings.boundary = EdgeKind::kHard;
+    settings.shape = TrackShape::kAuto;
+    settings.turns = TurnPlanning::kRoute;
+    settings.aim = Aim::kWholeCost;
+  }
   const std::string head =
       fmt::format("{}\t{:.2f}\t{}\t{}", field.id, out.hectares, out.corners, out.obstacles);
   const double start = thread_seconds();
@@ -114,8 +130,10 @@ Timed timed(const Field& field, const Request& request) {
       plan = plan_field(field, {"", request.width_m, 6, -1}, request.prices, settings, 1);
     out.seconds = (thread_seconds() - start) / request.repeat;
     out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
-                          1e3 * out.seconds, plan.cost, plan.proof.bound, plan.proof.one_direction_cost,
-                          plan.proof.one_direction_bound, plan.directions_tried, sum_of(plan));
+                          1e3 * out.seconds, request.whole ? whole_cost(plan).euros() : plan.cost,
+                          request.whole ? plan.route.proof.bound_s : plan.proof.bound,
+                          plan.proof.one_direction_cost, plan.proof.one_direction_bound,
+                          plan.directions_tried, sum_of(plan));
   } catch (const Error& error) {
     out.seconds = thread_seconds() - start;
     out.row = fmt::format("{}\t{:.1f}\t{}", head, 1e3 * out.seconds, error.what());
@@ -153,6 +171,7 @@ void print_group(const char* what, const std::vector<Timed>& all, const IsOne& i
 
 void print_groups(const std::vector<Timed>& all) {
   const auto small = [](const Timed& one) { return one.hectares <= 20 && one.corners <= 150; };
+  print_group("to 20 ha and 150 corners", all, small);
   print_group("all", all, [](const Timed&) { return true; });
   print_group("to 20 ha and 150 corners, no obstacle", all,
               [&](const Timed& one) { return small(one) && one.obstacles == 0; });
@@ -179,6 +198,7 @@ int run(int argc, char** argv) {
     if (word == "--scenario") request.prices = scenario(std::atoi(argv[i + 1]));
     if (word == "--prices") request.prices = prices_in(argv[i + 1]);
     if (word == "--sweep") request.sweep = std::atoi(argv[i + 1]) != 0;
+    if (word == "--whole") request.whole = std::atoi(argv[i + 1]) != 0;
     if (word == "--obstacles") request.with_obstacles = std::atoi(argv[i + 1]) != 0;
   }
   auto fields = request.all ? read_all_real_fields() : read_real_fields();

@@ -1,5 +1,5 @@
-// Ways between ends: turns against all straight ways tried one after the other, and tours against the same
-// tours driven from their ends.
+// Ways between ends: turns against all straight ways tried one after the other, words against all words tried
+// for room, and tours against the same tours driven from their ends.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,9 @@
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/known_costs.h"
 #include "tramline/route/build/track_tour.h"
+#include "tramline/route/connection/arc_room.h"
 #include "tramline/route/turning/planned_turns.h"
+#include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/outline/outline.h"
 
 namespace tramline {
@@ -90,6 +92,55 @@ TEST(TurnBeforeEnds, IsTheFirstOfAllStraightWays) {
   EXPECT_GT(direct, 150);
   EXPECT_GT(longer, 10) << "straight ways are hardly ever needed";
   EXPECT_GT(none, 50);
+}
+
+/// Poses on a field with pylons, some of them with room.
+std::vector<Pose> random_poses(std::mt19937_64& random, std::size_t count) {
+  std::vector<Pose> out;
+  while (out.size() < count)
+    out.push_back({{uniform(random, -42, 42), uniform(random, -40, 25)},
+                   Heading::clockwise_from_north(Angle::degrees(uniform(random, 0, 360)))});
+  return out;
+}
+
+/// What is known of first and last turns rules out no word that has room, and lets none pass that has not,
+/// however many words left and entered the same poses before.
+TEST(ArcRoom, FindsTheFirstOfAllWordsWithRoom) {
+  int found = 0, not_the_first = 0, none = 0;
+  for_each_seed(60, [&](std::mt19937_64& random, int) {
+    Machine machine = random_machine(random);
+    machine.turning.steering_time_s = 0;
+    const Region region = random_hop(random, machine).land;
+    const AllowedLand land(region);
+    Field field;
+    field.outer = region.front().outer;
+    const DrivingGround ground(land, field, machine, region);
+    ArcRoom room(ground);
+    const std::vector<Pose> poses = random_poses(random, 8);
+    for (const Pose& from : poses)
+      for (const Pose& to : poses) {
+        const std::vector<Manoeuvre> words = dubins_words(from, to, machine.radius_m);
+        const auto expected = std::ranges::find_if(
+            words, [&](const Manoeuvre& word) { return land.fits(word.path, ground.outline()); });
+        const auto path = room.first_with_room(from, to, {from, to, machine.radius_m});
+        ASSERT_EQ(path.has_value(), expected != words.end());
+        if (!path) {
+          ++none;
+          continue;
+        }
+        ++found;
+        not_the_first += expected != words.begin() ? 1 : 0;
+        EXPECT_NEAR(length(*path), length(expected->path), 1e-9 * (1 + length(*path)));
+        // A few words are the first few.
+        const bool first = expected == words.begin();
+        EXPECT_EQ(ArcRoom(ground).first_with_room(from, to, {from, to, machine.radius_m}, 1).has_value(),
+                  first);
+      }
+  });
+  if (testing::case_count(60) < 60) return;
+  EXPECT_GT(found, 500);
+  EXPECT_GT(not_the_first, 100);
+  EXPECT_GT(none, 500);
 }
 
 /// Tracks from south to north over a field whose edges slope, with as much land beyond their ends.

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tramline/geometry/path/extended_line.h"
@@ -106,6 +108,39 @@ TEST(CurvedPieces, AllRoundEndBeforeTheyBegin) {
   const double apart_m = distance(tracks.pieces[0].path.front().from, tracks.pieces[0].path.back().to);
   EXPECT_GT(apart_m, 0);
   EXPECT_LT(apart_m, 1e-4);
+}
+
+// A wave of arcs from south to north, and boxes on both sides of it: every place of a box lies on one of the
+// tracks, by the distance from chords of the wave, and those there are reach the box but for what the
+// sixteenths of it leave out. The wave swings by 20 − √(400 − 100) m to either side of x = 0.
+TEST(TracksOver, AreThoseThatReachPlacesOfTheBox) {
+  constexpr double kSwing = 3;
+  Path wave;
+  for (int i = -6; i < 6; ++i)
+    wave.push_back({{0, 20.0 * i}, {0, 20.0 * (i + 1)}, i % 2 == 0 ? 0.05 : -0.05});
+  const std::vector<Point> line = chords(wave, 1e-3);
+  const auto scanned_m = [&line](Point p) {
+    double out = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+      out = std::min(out, distance_to_segment(p, line[i], line[i + 1]));
+    return p.x > 0 ? out : -out;
+  };
+  for (const Box& reach : {Box{5, -40, 60, 30}, Box{-70, -35, -20, 60}, Box{-30, 0, 45, 20}}) {
+    const StripRange range = tracks_over(wave, reach, kWidth);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int i = 0; i <= 32; ++i)
+      for (int j = 0; j <= 32; ++j) {
+        const Point p{reach.min_x + reach.width() * i / 32, reach.min_y + reach.height() * j / 32};
+        if (std::abs(p.x) < kSwing) continue;
+        low = std::min(low, scanned_m(p));
+        high = std::max(high, scanned_m(p));
+      }
+    const double slack = 0.5 * std::hypot(reach.width(), reach.height()) / 16 + kWidth;
+    EXPECT_LE(range.first * kWidth, low + 0.01);
+    EXPECT_GE(range.first * kWidth, low - slack);
+    EXPECT_GE((range.last + 1) * kWidth, high - 0.01);
+    EXPECT_LE((range.last + 1) * kWidth, high + slack);
+  }
 }
 
 }  // namespace

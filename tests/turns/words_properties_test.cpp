@@ -9,6 +9,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
+#include "tramline/turns/manoeuvres/driven_word.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/manoeuvre_choice.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
@@ -88,6 +89,51 @@ TEST(WordsProperties, ShortestWaysAreNoLongerThanThoseOfOmpl) {
   RecordProperty("shorter_than_reeds_shepp_of_ompl", shorter_both);
   if (std::getenv("TRAMLINE_CASES") != nullptr)
     std::printf("shorter than OMPL: %d Dubins, %d Reeds-Shepp\n", shorter_dubins, shorter_both);
+}
+
+/// The turn that a path begins with, or ends with, m: positive to the left; 0 for a line.
+double turned_m(const SteeredStretch& stretch) {
+  return stretch.curvature_at_start == 0 ? 0 : std::copysign(stretch.length_m, stretch.curvature_at_start);
+}
+
+/// Words that are not built yet say how they begin and end, and once built are those of dubins_words().
+TEST(WordsProperties, WordsKnowTheirEndsBeforeTheyAreBuilt) {
+  int words = 0, lines = 0, joined = 0;
+  testing::for_each_seed(1000, [&](std::mt19937_64& random, int) {
+    const auto [from, to, radius_m] = random_poses(random);
+    const DubinsWords unbuilt(from, to, radius_m);
+    std::vector<Manoeuvre> built;
+    for (std::size_t i = 0; i < unbuilt.size(); ++i) {
+      built.push_back(unbuilt.built(i));
+      const SteeredPath& path = built.back().path;
+      if (path.empty()) continue;
+      ++words;
+      const auto [first_m, last_m] = unbuilt.ends(i);
+      const double first = turned_m(path.front()), last = turned_m(path.back());
+      if (path.size() == 1 && first != 0 && std::abs(first_m - first) > 1e-6 * radius_m) {
+        ++joined;
+        EXPECT_LE(std::abs(first_m), std::abs(first));
+        EXPECT_LE(std::abs(last_m), std::abs(last));
+        EXPECT_NEAR(first_m + last_m, first, 1e-6 * radius_m);
+        continue;
+      }
+      // Turns by less than rounding are left out of what is built.
+      EXPECT_NEAR(first_m, first, 1e-9 * radius_m) << built.back().word;
+      EXPECT_NEAR(last_m, path.size() == 1 ? last_m : last, 1e-9 * radius_m) << built.back().word;
+      lines += first == 0 || last == 0 ? 1 : 0;
+    }
+    drop_repeated(built);
+    const std::vector<Manoeuvre> expected = dubins_words(from, to, radius_m);
+    ASSERT_EQ(built.size(), expected.size());
+    for (std::size_t i = 0; i < built.size(); ++i) {
+      EXPECT_EQ(built[i].word, expected[i].word);
+      EXPECT_EQ(length(built[i].path), length(expected[i].path));
+    }
+  });
+  if (testing::case_count(1000) < 1000) return;
+  EXPECT_GT(words, 3000);
+  EXPECT_GT(lines, 0);
+  RecordProperty("joined", joined);
 }
 
 TEST(WordsProperties, EveryManoeuvreOfAMachineIsRight) {

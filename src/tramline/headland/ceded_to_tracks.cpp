@@ -1,18 +1,23 @@
 #include "tramline/headland/ceded_to_tracks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {
 
-/// The largest distance between two of its corners, m.
-double extent_m(const Polygon& polygon) {
-  double out = 0;
-  for (std::size_t i = 0; i < polygon.outer.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) out = std::max(out, distance(polygon.outer[i], polygon.outer[j]));
-  return out;
+/// Whether two corners are at least so far apart.
+bool extends_over(const Polygon& polygon, double length_m) {
+  const Box box = bounds(polygon);
+  if (box.empty() || std::hypot(box.width(), box.height()) < length_m) return false;
+  if (std::max(box.width(), box.height()) >= length_m) return true;
+  const Ring& ring = polygon.outer;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (distance(ring[i], ring[j]) >= length_m) return true;
+  return false;
 }
 
 /// Strips that tracks are laid in: as wide as a swath, or, at the price of some overlap, narrower and longer.
@@ -21,11 +26,17 @@ struct Strip {
   double least_length_m = 0;
 };
 
-bool holds_a_track(const Polygon& polygon, const Strip& strip) {
-  // Strips of just this width and length are accepted in spite of chords and grids.
-  constexpr double kAlmost = 0.999;
+/// Strips of just the width and length asked for are accepted in spite of chords and grids.
+constexpr double kAlmost = 0.999;
+
+/// Whether the polygon is large and long enough for a track; neither is any part of one that is not.
+bool may_hold_a_track(const Polygon& polygon, const Strip& strip) {
   if (area(polygon) < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
-  if (extent_m(polygon) < kAlmost * strip.least_length_m) return false;
+  return extends_over(polygon, kAlmost * strip.least_length_m);
+}
+
+bool holds_a_track(const Polygon& polygon, const Strip& strip) {
+  if (!may_hold_a_track(polygon, strip)) return false;
   return !buffered({polygon}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
 }
 
@@ -33,10 +44,20 @@ void keep_tracks(Region& region, const Strip& strip) {
   std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
 }
 
+/// The polygons of which some part may hold a track; the grid moves edges of a part.
+Region with_parts_for(const Region& region, const Strip& strip) {
+  constexpr double kMore = 0.99;
+  Region out;
+  for (const Polygon& polygon : region)
+    if (may_hold_a_track(polygon, {kMore * strip.width_m, kMore * strip.least_length_m}))
+      out.push_back(polygon);
+  return out;
+}
+
 /// The region without parts narrower than the width; corners stay.
 Region opened(const Region& region, double width_m) {
-  constexpr double kAlmost = 0.998;
-  const double half = kAlmost * 0.5 * width_m;
+  constexpr double kOpened = 0.998;
+  const double half = kOpened * 0.5 * width_m;
   return buffered(buffered(region, -half, JoinStyle::kMitre), half, JoinStyle::kMitre);
 }
 
@@ -65,8 +86,10 @@ Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, 
   const Region unworked = unworked_ground(headland, width_m);
   Region out;
   for (const Strip& strip : {wide, narrow}) {
+    const Region hopeful = with_parts_for(unworked, strip);
+    if (hopeful.empty()) continue;
     Region parts =
-        intersection(unworked, strip.width_m < width_m ? clear.for_track_sides : clear.for_track_ends);
+        intersection(hopeful, strip.width_m < width_m ? clear.for_track_sides : clear.for_track_ends);
     keep_tracks(parts, strip);
     if (parts.empty()) continue;
     parts = intersection(opened(unite(headland.body, parts), strip.width_m), parts);

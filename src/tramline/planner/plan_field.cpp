@@ -295,7 +295,11 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
       headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
   bare.settings.turns = TurnPlanning::kNone;
   const auto layout_of = [&](TrackShape shape) {
-    return searched(with_shape(bare, shape), context.for_layout().without_bound(), Explain::kNo).plan;
+    // Curves are looked for in the cells of the sweep as well.
+    const SearchContext searching = context.for_layout().without_bound();
+    const bool straight = shape == TrackShape::kStraight;
+    return searched(with_shape(bare, shape), straight ? searching.without_sweep() : searching, Explain::kNo)
+        .plan;
   };
   std::vector<Plan> out{layout_of(bare.settings.shape)};
   if (follow_curves(out.front().subfields)) out.insert(out.begin(), layout_of(TrackShape::kStraight));

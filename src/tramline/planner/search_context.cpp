@@ -101,6 +101,12 @@ SearchContext SearchContext::without_bound() const {
   return out;
 }
 
+SearchContext SearchContext::without_sweep() const {
+  SearchContext out = *this;
+  out.sweep_ = false;
+  return out;
+}
+
 SearchContext SearchContext::for_part(double from, double to) const {
   SearchContext out = *this;
   out.in_parts_ = true;

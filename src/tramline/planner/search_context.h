@@ -9,8 +9,8 @@ namespace tramline {
 
 /// Passed down to everything that takes long. Copies belong to the same search: they share its progress and
 /// the request to end it. Safe to use from several threads at once. It does not change what a search finds,
-/// unless the progress callback ends the search, but how much of the plan is filled in (for_layout())
-/// and whether a bound is proven (without_bound()).
+/// unless the progress callback ends the search, but how much of the plan is filled in (for_layout()),
+/// whether a bound is proven (without_bound()), and what is told besides (without_sweep()).
 class SearchContext {
  public:
   /// `threads` 0: as many as there are cores. Without a progress callback the search runs to its end.
@@ -39,6 +39,11 @@ class SearchContext {
   SearchContext without_bound() const;
   bool wants_bound() const { return bound_; }
 
+  /// A context for a search whose result need not list the candidates of the sweep: they are looked at only
+  /// where the search needs them itself.
+  SearchContext without_sweep() const;
+  bool wants_sweep() const { return sweep_; }
+
   /// Sets how many of all steps are done and calls the callback at once.
   void count(int done, int total) const;
   /// Calls the callback with the last counts again, at most some fifty times a second and never twice at
@@ -57,6 +62,7 @@ class SearchContext {
   bool counts_ = true;
   bool layout_only_ = false;
   bool bound_ = true;
+  bool sweep_ = true;
   bool in_parts_ = false;
   double from_ = 0, to_ = 1;                ///< of the whole
   std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback

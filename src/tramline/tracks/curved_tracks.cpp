@@ -72,23 +72,48 @@ class Laying {
   const EndCriterion& criterion_;
 };
 
-/// Signed distance of the point from the path, right positive.
-double signed_distance(const Path& path, Point p) {
-  double least = std::numeric_limits<double>::infinity(), out = 0;
-  for (const PathSegment& segment : path) {
-    const double off = distance_to_edge(segment, p, p);
-    if (off >= least) continue;
-    least = off;
-    const Point chord = segment.to - segment.from;
-    bool right = cross(chord, p - segment.from) < 0;
-    if (!segment.straight()) {
-      const bool outside = distance(p, centre(segment)) > radius(segment);
-      right = (segment.curvature > 0) == outside;
+/// Signed distances from a path, right positive.
+class SignedDistances {
+ public:
+  explicit SignedDistances(const Path& path) : path_(path), reaches_(reaches_of(path, 0)) {}
+
+  /// The segment nearest to a place that was asked for before is near this one too: what cannot be nearer is
+  /// not measured. Of segments at the same distance the first counts, whatever was asked for before.
+  double from(Point p) {
+    double least = std::numeric_limits<double>::infinity(), out = 0;
+    const double no_more_than = nearest_ < path_.size() ? distance_to_edge(path_[nearest_], p, p) : least;
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      if (at_least(reaches_[i], p) > std::min(least, no_more_than)) continue;
+      const PathSegment& segment = path_[i];
+      const double off = distance_to_edge(segment, p, p);
+      if (off >= least) continue;
+      least = off;
+      nearest_ = i;
+      out = is_right_of(segment, p) ? off : -off;
     }
-    out = right ? off : -off;
+    return out;
   }
-  return out;
-}
+
+ private:
+  /// A lower bound of the distance from what lies in the box. Slightly smaller, so that rounding never rules
+  /// a segment out.
+  static double at_least(const Box& box, Point p) {
+    constexpr double kLess = 1 - 1e-9;
+    const double x = std::max({box.min_x - p.x, p.x - box.max_x, 0.0});
+    const double y = std::max({box.min_y - p.y, p.y - box.max_y, 0.0});
+    return kLess * std::sqrt(x * x + y * y) - kWidthTolerance;
+  }
+
+  static bool is_right_of(const PathSegment& segment, Point p) {
+    if (segment.straight()) return cross(segment.to - segment.from, p - segment.from) < 0;
+    const bool outside = distance(p, centre(segment)) > radius(segment);
+    return (segment.curvature > 0) == outside;
+  }
+
+  const Path& path_;
+  std::vector<Box> reaches_;
+  std::size_t nearest_ = std::numeric_limits<std::size_t>::max();  ///< to the last place; beyond: to none
+};
 
 }  // namespace
 
@@ -118,11 +143,12 @@ StripRange tracks_over(const Path& reference, const Box& box, double width_m) {
   // Points of the box are no farther off than its corners, except for a bend between them: the distance to
   // the path changes by no more than the length moved.
   constexpr int kSteps = 16;
+  SignedDistances distances(reference);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (int i = 0; i <= kSteps; ++i)
     for (int j = 0; j <= kSteps; ++j) {
       const Point p{box.min_x + box.width() * i / kSteps, box.min_y + box.height() * j / kSteps};
-      const double off = signed_distance(reference, p);
+      const double off = distances.from(p);
       low = std::min(low, off);
       high = std::max(high, off);
     }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostChains = 8;
 constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
 constexpr int kPlaces = 8;
-constexpr std::ptrdiff_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
+constexpr std::size_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
 
 /// A reference at one sideways offset, and the cost of its tracks.
 struct TriedCurve {
@@ -53,32 +53,50 @@ void sort_best_first(std::vector<TriedCurve>& tried) {
   });
 }
 
-/// The costs of the best few families so far: a family that is certain to cost more need not be completed. A
-/// family abandoned because of the last of these would not have been among them in any order.
+/// The cost with stops priced no higher than turns, as if most obstacles had a way round.
+double soft_cost(const SearchTask& task, const Candidate& candidate) {
+  Objective prices = task.objective;
+  prices.stop = std::min(prices.stop, prices.turn);
+  return cost(prices, candidate.avoided.tally);
+}
+
+/// The costs of the best few families so far, and, where detours may be looked for, what the best ones cost
+/// if stops were cheap: a family that is certain to cost more need not be completed. A family abandoned
+/// because of the last of these would not have been among them in any order.
 class BestCosts {
  public:
-  explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity())
-      : costs_(count, known) {}
+  /// So many of them, none of which is more than what is known, and as many with cheap stops.
+  explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity(),
+                     std::size_t soft_count = 0)
+      : costs_(count, known), soft_costs_(soft_count, std::numeric_limits<double>::infinity()) {}
 
-  double last() {
+  CostLimits limits() {
     const std::lock_guard lock(mutex_);
-    return costs_.back();
+    CostLimits out{costs_.back()};
+    if (!soft_costs_.empty()) out.soft = soft_costs_.back();
+    return out;
   }
   bool any() {
     const std::lock_guard lock(mutex_);
     return any_;
   }
-  void offer(const Candidate& candidate) {
+  void offer(const SearchTask& task, const Candidate& candidate) {
     if (!candidate.works()) return;
     const std::lock_guard lock(mutex_);
     any_ = true;
-    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost()), candidate.cost());
-    costs_.pop_back();
+    insert(candidate.cost(), costs_);
+    if (!soft_costs_.empty()) insert(soft_cost(task, candidate), soft_costs_);
   }
 
  private:
+  static void insert(double cost, std::vector<double>& costs) {
+    costs.insert(std::upper_bound(costs.begin(), costs.end(), cost), cost);
+    costs.pop_back();
+  }
+
   std::mutex mutex_;
   std::vector<double> costs_;
+  std::vector<double> soft_costs_;
   bool any_ = false;
 };
 
@@ -91,28 +109,21 @@ void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std:
     if (costs.any() && context.has_to_end()) return;
     const auto subfield = subfield_along(task, part, *tried[i].reference, tried[i].right_m);
     if (!subfield) return;
-    tried[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
-    costs.offer(tried[i].candidate);
+    tried[i].candidate = plain_candidate(task, ground, *subfield, costs.limits());
+    costs.offer(task, tried[i].candidate);
   });
   sort_best_first(tried);
-}
-
-/// The cost with stops priced no higher than turns, as if most obstacles had a way round.
-double soft_cost(const SearchTask& task, const TriedCurve& tried) {
-  Objective prices = task.objective;
-  prices.stop = std::min(prices.stop, prices.turn);
-  return cost(prices, tried.candidate.avoided.tally);
 }
 
 /// The families for which detours are worth a search: the cheapest as they are, and the cheapest of the rest
 /// if stops were cheap. Precondition: sorted.
 std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve> tried) {
-  if (std::ssize(tried) > kDetoursTried)
+  if (tried.size() > kDetoursTried)
     std::stable_sort(tried.begin() + kDetoursTried, tried.end(),
                      [&task](const TriedCurve& a, const TriedCurve& b) {
-                       return soft_cost(task, a) < soft_cost(task, b);
+                       return soft_cost(task, a.candidate) < soft_cost(task, b.candidate);
                      });
-  if (std::ssize(tried) > 2 * kDetoursTried) tried.erase(tried.begin() + 2 * kDetoursTried, tried.end());
+  if (tried.size() > 2 * kDetoursTried) tried.erase(tried.begin() + 2 * kDetoursTried, tried.end());
   return tried;
 }
 
@@ -128,7 +139,11 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
     // boundary.
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
-  BestCosts best_few(kMoved, no_more_than);
+  // With detours the cheapest ones may not be: those that promising() chooses have to be complete. Among
+  // twice as many that cost least if stops are cheap, there are as many besides those that cost least.
+  static_assert(kMoved <= kDetoursTried);
+  const bool detours = asks_for_detours(task);
+  BestCosts best_few(detours ? kDetoursTried : kMoved, kAnyCost, detours ? 2 * kDetoursTried : 0);
   try_all(task, part, best_few, all, context);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;
@@ -136,13 +151,13 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
     for (int k = 1; k < kPlaces; ++k)
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
   BestCosts best(1, no_more_than);
-  best.offer(all.front().candidate);
-  try_all(task, part, best, moved, context);
+  best.offer(task, all.front().candidate);
+  try_all(task, part, detours ? best_few : best, moved, context);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
   sort_best_first(all);
   std::erase_if(all, [](const TriedCurve& tried) { return !tried.candidate.works(); });
   if (all.empty()) return std::nullopt;
-  if (!asks_for_detours(task)) return std::move(all.front());
+  if (!detours) return std::move(all.front());
   all = promising(task, std::move(all));
   for_each_index_until_end(all.size(), context, [&](std::size_t i) {
     all[i].candidate = candidate_on(task, lined_subfields_of(all[i].candidate));

@@ -22,21 +22,24 @@ namespace tramline {
 namespace {
 
 /// The pieces of a family without detours, laid track by track outwards from the reference; nullopt as soon
-/// as it is certain to cost more than `no_more_than`.
+/// as it is certain to cost more than the limits.
 std::optional<LaidTracks> laid_outwards(const SearchTask& task, const CurvedGround& ground,
-                                        const Subfield& subfield, double no_more_than) {
+                                        const Subfield& subfield, const CostLimits& limits) {
   const StripRange range = parallels_over(task, subfield);
-  FamilyBound bound(task, subfield.reference, range);
+  FamilyBound bound(task, subfield, range);
   LaidTracks out{{TrackFrame(), 0, task.machine.width_m}, {}, {}};
   bool hopeful = true;
   const auto lay = [&](int index, std::vector<ParallelTrack> tracks) {
-    std::vector<FamilyTrack> family;
-    for (ParallelTrack& track : tracks) family.push_back({index, std::move(track)});
-    LaidTracks more = curved_pieces(family, task.machine.width_m, ground, end_criterion_of(task),
-                                    min_length_m(task.machine));
+    std::vector<FamilyTrack> parallel;
+    for (ParallelTrack& track : tracks) parallel.push_back({index, std::move(track)});
+    const TrackFamily family = curved_tracks(parallel, task.machine.width_m, ground, end_criterion_of(task));
+    LaidTracks more = cut_pieces(family, min_length_m(task.machine));
+    double inside_m2 = 0;
+    for (const Track& track : family.tracks) inside_m2 += inside_between(track, 0, track.length_m);
+    bound.add(more, inside_m2);
     std::move(more.pieces.begin(), more.pieces.end(), std::back_inserter(out.pieces));
     std::move(more.dropped.begin(), more.dropped.end(), std::back_inserter(out.dropped));
-    hopeful = bound.after(index, out) <= no_more_than;
+    hopeful = !bound.exceeds(limits, index);
     return hopeful;
   };
   visit_family(subfield.reference, range.first, range.last, track_limits(task.machine), lay);
@@ -45,12 +48,6 @@ std::optional<LaidTracks> laid_outwards(const SearchTask& task, const CurvedGrou
     std::stable_sort(pieces->begin(), pieces->end(),
                      [](const LaidPiece& a, const LaidPiece& b) { return a.track < b.track; });
   return out;
-}
-
-std::optional<LaidTracks> laid(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield,
-                               double no_more_than) {
-  if (!asks_for_detours(task)) return laid_outwards(task, ground, subfield, no_more_than);
-  return cut_pieces(parallel_tracks(task, ground, subfield), min_length_m(task.machine));
 }
 
 struct ReferenceOrRefused {
@@ -95,10 +92,10 @@ std::optional<Subfield> subfield_along(const SearchTask& task, const Polygon& sh
 }
 
 Candidate plain_candidate(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield,
-                          double no_more_than) {
+                          const CostLimits& limits) {
   Candidate out;
   out.subfields.push_back(subfield);
-  std::optional<LaidTracks> tracks = laid(task, ground, subfield, no_more_than);
+  std::optional<LaidTracks> tracks = laid_outwards(task, ground, subfield, limits);
   if (!tracks) return out;
   out.families.push_back({tracks->grid, {}});
   out.avoided.tracks.push_back(std::move(*tracks));

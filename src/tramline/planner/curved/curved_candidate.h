@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/curved/family_bound.h"
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
@@ -31,10 +32,10 @@ std::optional<Subfield> subfield_along(const SearchTask& task, const Polygon& sh
                                        const Reference& reference, double right_m = 0);
 
 /// As candidate_on() for this one subfield without ways past obstacles; `ground` belongs to its shape. The
-/// candidate's families stay empty. Where there is nothing for detours to go round, construction stops,
-/// without a track, as soon as the candidate is certain to cost more than `no_more_than`.
+/// candidate's families stay empty. Construction stops, without a track, as soon as the candidate is certain
+/// to cost more than the limits.
 Candidate plain_candidate(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield,
-                          double no_more_than);
+                          const CostLimits& limits);
 
 /// Whether curved tracks may reach anything that they go round or cross.
 bool asks_for_detours(const SearchTask& task);

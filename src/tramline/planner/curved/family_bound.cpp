@@ -11,24 +11,40 @@ namespace {
 
 /// A generous allowance for the length that discs rolled round corners may add to a track.
 constexpr double kLonger = 1.5;
+/// An allowance for what swaths of one family share, by rounding: it is none of what they are made to.
+constexpr double kShared = 1e-4;
 
 }  // namespace
 
-double FamilyBound::after(int index, const LaidTracks& tracks) {
-  for (; seen_ < tracks.pieces.size(); ++seen_) {
-    const LaidPiece& piece = tracks.pieces[seen_];
-    inside_m2_ += piece.inside_m2;
+FamilyBound::FamilyBound(const SearchTask& task, const Subfield& subfield, const StripRange& range)
+    : task_(task), reference_(subfield.reference), range_(range), subfield_m2_(area(subfield.shape)) {}
+
+void FamilyBound::add(const LaidTracks& pieces, double inside_m2) {
+  for (const LaidPiece& piece : pieces.pieces) {
+    worked_m2_ += piece.inside_m2;
     overlap_m2_ += task_.machine.width_m * piece.length_m - piece.inside_m2;
     stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    if (!piece.after_crossing) ++entered_;
   }
-  const Objective& price = task_.objective;
-  const double sure =
-      price.overlap * overlap_m2_ + price.stop * stops_ + price.turn * (static_cast<double>(seen_) - 1);
-  return (sure + least_for_the_rest(index)) * (1 - kRounding_share) - kRounding_cost;
+  passed_m2_ += inside_m2;
 }
 
-/// The land of the body not worked yet either stays uncovered or is worked by tracks that take a turn each.
-double FamilyBound::least_for_the_rest(int index) const {
+bool FamilyBound::exceeds(const CostLimits& limits, int index) const {
+  const Objective& price = task_.objective;
+  const double not_worked_m2 = std::max(0.0, task_.body_m2 - worked_m2_);
+  const double not_passed_m2 = std::max(0.0, subfield_m2_ - (1 - kShared) * passed_m2_);
+  const double left_m2 = std::max(0.0, not_worked_m2 - not_passed_m2);
+  const double without_stops = price.overlap * overlap_m2_ + price.uncovered * left_m2 +
+                               price.turn * (entered_ - 1) + least_rate(index) * (not_worked_m2 - left_m2);
+  const auto is_above = [&](double limit, double stop_price) {
+    return (without_stops + stop_price * stops_) * (1 - kRounding_share) - kRounding_cost > limit;
+  };
+  return is_above(limits.cost, price.stop) && is_above(limits.soft, std::min(price.stop, price.turn));
+}
+
+/// What land costs at least that has not been passed: it stays uncovered or is worked by tracks that take a
+/// turn each.
+double FamilyBound::least_rate(int index) const {
   const double width_m = task_.machine.width_m;
   double longest_m = 0;
   const auto look = [&](int k) {
@@ -42,8 +58,7 @@ double FamilyBound::least_for_the_rest(int index) const {
   look(std::max(index, 0));
   look(range_.last);
   const Objective& price = task_.objective;
-  const double rate = std::min(price.uncovered, price.turn / (width_m * kLonger * longest_m));
-  return rate * std::max(0.0, task_.body_m2 - inside_m2_);
+  return std::min(price.uncovered, price.turn / (width_m * kLonger * longest_m));
 }
 
 }  // namespace tramline

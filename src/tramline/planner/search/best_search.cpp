@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "tramline/decomposition/sweep_directions.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/search/any_plan_bound.h"
 #include "tramline/planner/search/split_and_merge.h"
@@ -63,10 +64,9 @@ struct PartResult {
 class BestSearch {
  public:
   BestSearch(const SearchTask& task, const SearchContext& context, double no_more_than)
-      : task_(task),
-        context_(context),
-        no_more_than_(no_more_than),
-        swept_(swept_candidates(task, context)) {}
+      : task_(task), context_(context), no_more_than_(no_more_than) {
+    if (context.wants_sweep()) swept();
+  }
 
   SearchResult run() {
     search_parts();
@@ -80,20 +80,27 @@ class BestSearch {
     if (context_.wants_bound())
       out_.proof.bound =
           std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_) + task_.objective.subfield);
-    out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
+    const std::size_t directions = swept_ ? swept_->size() : sweep_directions(task_.field).size();
+    out_.directions_tried = static_cast<int>(directions) + boxes_;
     out_.best = std::move(best_);
-    out_.swept = std::move(swept_);
+    if (swept_) out_.swept = std::move(*swept_);
     return std::move(out_);
   }
 
  private:
+  /// The candidates of the sweep, found when they are first asked for.
+  const std::vector<SweptCandidate>& swept() {
+    if (!swept_) swept_ = swept_candidates(task_, context_);
+    return *swept_;
+  }
+
   void try_swept() {
     const std::size_t cells = hopeful_sweep().lined_subfields.size();
     if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
       try_plan(regridded(hopeful_sweep().lined_subfields));
     const double known =
         best_.works() ? std::min(best_.cost(), just_above(no_more_than_)) : just_above(no_more_than_);
-    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, context_)) {
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept(), known, context_)) {
       if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
       keep(std::move(*sweep));
     }
@@ -222,17 +229,16 @@ class BestSearch {
 
   /// The plans to try with detours: the best with detours need not be the best with all tracks cut nor the
   /// best with free stops, so the best few of either are tried, and the sweep's.
-  void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found,
-                            std::vector<Grounds>& ways) const {
+  void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found, std::vector<Grounds>& ways) {
     const Polygon& shape = task_.ground.plannable[part];
     for (std::size_t i = 0; i < kHinderedTries; ++i) {
       if (i > 0 && i < found.grids.size()) ways.push_back({gridded(shape, found.grids[i])});
       if (i < found.unhindered.size()) ways.push_back({gridded(shape, found.unhindered[i])});
     }
+    if (task_.ground.plannable.size() != 1) return;
     std::vector<const SweptCandidate*> undivided;
-    for (const SweptCandidate& swept : swept_)
-      if (task_.ground.plannable.size() == 1 && swept.lined_subfields.size() == 1)
-        undivided.push_back(&swept);
+    for (const SweptCandidate& one : swept())
+      if (one.lined_subfields.size() == 1) undivided.push_back(&one);
     std::stable_sort(
         undivided.begin(), undivided.end(),
         [](const SweptCandidate* a, const SweptCandidate* b) { return a->outlook.soft < b->outlook.soft; });
@@ -264,9 +270,9 @@ class BestSearch {
   }
 
   /// The sweep's candidate that looks best before the ways past obstacles are known.
-  const SweptCandidate& hopeful_sweep() const {
+  const SweptCandidate& hopeful_sweep() {
     return *std::min_element(
-        swept_.begin(), swept_.end(),
+        swept().begin(), swept().end(),
         [](const SweptCandidate& a, const SweptCandidate& b) { return a.outlook.soft < b.outlook.soft; });
   }
 
@@ -304,7 +310,7 @@ class BestSearch {
   const SearchTask& task_;
   SearchContext context_;
   double no_more_than_;
-  std::vector<SweptCandidate> swept_;
+  std::optional<std::vector<SweptCandidate>> swept_{};
   SearchResult out_;
   Candidate best_;
   std::optional<Grounds> undivided_;  ///< of the cheapest plan with undivided parts that has been seen

@@ -77,7 +77,7 @@ RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Pla
                            const SearchContext& context)
     : problem_(problem),
       layouts_(layouts),
-      context_(context.without_bound()),
+      context_(context.without_bound().without_sweep()),
       least_passes_(least_passes_of(problem.machine)) {
   problem_.settings.turns = TurnPlanning::kNone;
   obstacle_passes_ = layouts.front().headland.obstacle_passes;

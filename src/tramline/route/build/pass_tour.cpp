@@ -1,7 +1,10 @@
 #include "tramline/route/build/pass_tour.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 
 namespace tramline {
 namespace {
@@ -18,6 +21,50 @@ struct Choice {
   std::size_t pass = 0;
   const PassEntry* entry = nullptr;
   double least_s = 0;
+};
+
+/// Choices, those that take least first, of equal ones the first given. What they take is computed only of
+/// those that the straight line does not put behind the ones asked for.
+class NearestChoices {
+ public:
+  NearestChoices(const Pose& left, const LeastSeconds& least, std::vector<Choice> all)
+      : left_(left), least_(least), all_(std::move(all)) {
+    for (std::size_t i = 0; i < all_.size(); ++i) waiting_.push({crude_s(i), i});
+  }
+
+  std::size_t size() const { return all_.size(); }
+
+  const Choice& at(std::size_t rank) {
+    while (ranked_.size() <= rank) add_next();
+    return all_[ranked_[rank]];
+  }
+
+ private:
+  using Timed = std::pair<double, std::size_t>;
+  using Soonest = std::priority_queue<Timed, std::vector<Timed>, std::greater<>>;
+
+  /// Slightly less than the straight line takes: no more than the bound in spite of rounding.
+  double crude_s(std::size_t i) const {
+    constexpr double kLess = 1 - 1e-9;
+    return kLess * least_.crude(left_, all_[i].entry->entered);
+  }
+
+  void add_next() {
+    while (!waiting_.empty() && (measured_.empty() || waiting_.top().first <= measured_.top().first)) {
+      const std::size_t i = waiting_.top().second;
+      waiting_.pop();
+      all_[i].least_s = least_.between(left_, all_[i].entry->entered);
+      measured_.push({all_[i].least_s, i});
+    }
+    ranked_.push_back(measured_.top().second);
+    measured_.pop();
+  }
+
+  Pose left_;
+  const LeastSeconds& least_;
+  std::vector<Choice> all_;
+  Soonest waiting_{}, measured_{};
+  std::vector<std::size_t> ranked_{};
 };
 
 /// Passes along one boundary: those round the field, or those that name the same obstacles.
@@ -80,39 +127,38 @@ class PassTour {
     return {best, entries_[best].front(), {}};
   }
 
-  std::vector<Choice> choices(const Pose& left) const {
+  NearestChoices choices(const Pose& left) const {
     std::vector<Choice> out;
     for (std::size_t pass = 0; pass < done_.size(); ++pass) {
       if (done_[pass] || !has_its_turn(pass)) continue;
-      for (const PassEntry& entry : entries_[pass])
-        out.push_back({pass, &entry, least_.between(left, entry.entered)});
+      for (const PassEntry& entry : entries_[pass]) out.push_back({pass, &entry});
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Choice& a, const Choice& b) { return a.least_s < b.least_s; });
-    return out;
+    return {left, least_, std::move(out)};
   }
 
   /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
   /// of least cost to one of these.
   WorkedPass next(const SteeredPath& left) const {
-    const std::vector<Choice> all = choices(end_of(left));
+    NearestChoices all = choices(end_of(left));
     WorkedPass best;
     double best_s = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(all.size(), kMostTried) && all[i].least_s < best_s; ++i) {
-      std::optional<Way> way = connector_.direct(left, axle(all[i].pass, *all[i].entry));
+    for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i) {
+      const Choice& one = all.at(i);
+      if (one.least_s >= best_s) break;
+      std::optional<Way> way = connector_.direct(left, axle(one.pass, *one.entry));
       if (!way || way->time_s >= best_s) continue;
       best_s = way->time_s;
-      best = {all[i].pass, *all[i].entry, std::move(*way)};
+      best = {one.pass, *one.entry, std::move(*way)};
     }
     return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, all);
   }
 
-  WorkedPass by_search(const SteeredPath& left, const std::vector<Choice>& all) const {
+  WorkedPass by_search(const SteeredPath& left, NearestChoices& all) const {
     std::vector<SteeredPath> entered;
     for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i)
-      entered.push_back(axle(all[i].pass, *all[i].entry));
+      entered.push_back(axle(all.at(i).pass, *all.at(i).entry));
     Connector::WayToOne found = connector_.to_any(left, entered);
-    const Choice& choice = all[found.chosen];
+    const Choice& choice = all.at(found.chosen);
     return {choice.pass, *choice.entry, std::move(found.way)};
   }
 

@@ -1,6 +1,7 @@
 #include "tramline/route/connection/roadmap_ways.h"
 
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "tramline/route/connection/way.h"
@@ -29,7 +30,9 @@ RoadmapWays::RoadmapWays(Roadmap roadmap, const DrivingGround& ground)
     : roadmap_(std::move(roadmap)),
       ground_(ground),
       reach_m_(kReach_radii * ground.machine().radius_m + kReach_widths * ground.machine().width_m),
-      changes_(roadmap_.poses().size()) {}
+      changes_(roadmap_.poses().size()) {
+  if (ground.steers_at_once() && !ground.outline().tows()) arc_room_.emplace(ground);
+}
 
 const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
   std::optional<std::vector<Change>>& out = changes_[pose];
@@ -49,20 +52,22 @@ const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
   return *out;
 }
 
-std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to,
-                                                             Words words) const {
-  const auto with_room = [this](const Manoeuvre& word) -> std::optional<Way> {
-    if (!word.path.empty() && !ground_.has_room(word.path)) return std::nullopt;
-    return Way{word.path, cost_seconds(word.path, ground_)};
+std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to, Words words) {
+  const auto way_on = [this](SteeredPath path) {
+    const double cost_s = cost_seconds(path, ground_);
+    return Way{std::move(path), cost_s};
   };
-  const bool at_once = ground_.steers_at_once();
-  if (at_once)
-    if (auto way = with_room(shortest_dubins(from, to, ground_.machine().radius_m))) return way;
-  // Where the wheels are steered at once no other word leads on.
-  if (at_once && words == Words::kLeadOn) return std::nullopt;
-  const std::vector<Manoeuvre> all = ground_.words(from, to);
-  for (std::size_t i = at_once ? 1 : 0; i < all.size(); ++i)
-    if (auto way = with_room(all[i])) return way;
+  if (arc_room_) {
+    // No other word than the shortest leads on.
+    const std::size_t few = words == Words::kLeadOn ? 1 : std::numeric_limits<std::size_t>::max();
+    const DubinsWords all(from, to, ground_.machine().radius_m);
+    if (auto path = arc_room_->first_with_room(from, to, all, few)) return way_on(std::move(*path));
+    return std::nullopt;
+  }
+  for (Manoeuvre& word : ground_.words(from, to)) {
+    if (word.path.empty() || ground_.has_room(word.path)) return way_on(std::move(word.path));
+    if (ground_.steers_at_once() && words == Words::kLeadOn) break;
+  }
   return std::nullopt;
 }
 

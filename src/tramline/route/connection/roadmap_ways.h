@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "tramline/route/connection/arc_room.h"
 #include "tramline/route/connection/driving_ground.h"
 #include "tramline/route/connection/roadmap.h"
 
@@ -48,7 +49,7 @@ class RoadmapWays {
  private:
   /// Of the words that lead on; or, between any poses, of all.
   enum class Words { kLeadOn, kAll };
-  std::optional<Way> first_with_room(const Pose& from, const Pose& to, Words words) const;
+  std::optional<Way> first_with_room(const Pose& from, const Pose& to, Words words);
 
   /// x, y and heading of two poses.
   using PosePair = std::array<double, 6>;
@@ -59,6 +60,7 @@ class RoadmapWays {
   Roadmap roadmap_;
   const DrivingGround& ground_;
   double reach_m_;
+  std::optional<ArcRoom> arc_room_{};  ///< where the machine steers at once and tows nothing
   std::vector<std::optional<std::vector<Change>>> changes_;
   std::unordered_map<std::uint64_t, std::optional<Way>> by_change_;
   std::unordered_map<std::size_t, std::optional<Way>> along_;

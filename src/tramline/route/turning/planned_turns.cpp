@@ -73,14 +73,41 @@ bool leads_over_tracks(const SteeredPath& path, const Pose& from, const Pose& to
   return reach(path, -1.0 * outward) > kBehindEnds_m;
 }
 
-enum class Side { kBeforeEnds, kOverTracks };
+/// The poses between which a hop's manoeuvre turns.
+struct HopPoses {
+  Pose from, to;
+};
 
-/// The quickest with room on that side; nullptr where there is none.
-const Manoeuvre* first_that_fits(const std::vector<HopWay>& ways, Side side, const AllowedLand& land,
-                                 const Outline& outline) {
+HopPoses poses_of(const Hop& hop, const Machine& machine, const StraightWays& more) {
+  HopPoses out{pose_after_work(hop.end.at, hop.end.heading, machine.turning),
+               pose_before_work(hop.start.at, hop.start.heading, machine.turning)};
+  out.from.at = out.from.at + more.before_m * out.from.heading.unit();
+  out.to.at = out.to.at - more.after_m * out.to.heading.unit();
+  return out;
+}
+
+Machine on_circles(Machine machine) {
+  machine.radius_m = std::max(machine.radius_m, kLeastRadius_m);
+  return machine;
+}
+
+/// The quickest of manoeuvres_over() that stays before the ends of the tracks and has room.
+std::optional<Manoeuvre> first_before_ends(const Hop& hop, const AllowedLand& land, const Machine& machine,
+                                           const Outline& outline, const StraightWays& ways) {
+  const auto [from, to] = poses_of(hop, machine, ways);
+  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles(machine))) {
+    if (leads_over_tracks(manoeuvre.path, from, to)) continue;
+    Manoeuvre out = whole(std::move(manoeuvre), hop, machine.turning, ways);
+    if (land.fits(out.path, outline)) return out;
+  }
+  return std::nullopt;
+}
+
+/// The quickest with room of those that lead over tracks; nullptr where there is none.
+const Manoeuvre* first_over_tracks(const std::vector<HopWay>& ways, const AllowedLand& land,
+                                   const Outline& outline) {
   for (const HopWay& way : ways)
-    if (way.over_tracks == (side == Side::kOverTracks) && land.fits(way.manoeuvre.path, outline))
-      return &way.manoeuvre;
+    if (way.over_tracks && land.fits(way.manoeuvre.path, outline)) return &way.manoeuvre;
   return nullptr;
 }
 
@@ -116,8 +143,7 @@ PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Ma
     return fitting(*before);
   const Outline outline = outline_of(machine);
   const std::vector<HopWay> direct = manoeuvres_over(hop, machine, least);
-  if (const Manoeuvre* fits = first_that_fits(direct, Side::kOverTracks, land, outline))
-    return fitting(*fits);
+  if (const Manoeuvre* fits = first_over_tracks(direct, land, outline)) return fitting(*fits);
   return without_room(direct, land, outline);
 }
 
@@ -150,10 +176,8 @@ std::optional<Manoeuvre> turn_before_ends(const Hop& hop, const AllowedLand& lan
   constexpr int kMostSteps = 6;
   const Outline outline = outline_of(machine);
   const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
-  const auto with_ways = [&](const StraightWays& ways) -> std::optional<Manoeuvre> {
-    const std::vector<HopWay> all = manoeuvres_over(hop, machine, ways);
-    const Manoeuvre* fits = first_that_fits(all, Side::kBeforeEnds, land, outline);
-    return fits != nullptr ? std::optional(*fits) : std::nullopt;
+  const auto with_ways = [&](const StraightWays& ways) {
+    return first_before_ends(hop, land, machine, outline, ways);
   };
   if (auto direct = with_ways(least)) return direct;
   if (far_apart(hop, machine)) return std::nullopt;
@@ -176,14 +200,9 @@ Hop hop_between(const TrackPiece& from, const TrackPiece& to) {
 }
 
 std::vector<HopWay> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more) {
-  Machine on_circles = machine;
-  on_circles.radius_m = std::max(machine.radius_m, kLeastRadius_m);
-  Pose from = pose_after_work(hop.end.at, hop.end.heading, machine.turning);
-  Pose to = pose_before_work(hop.start.at, hop.start.heading, machine.turning);
-  from.at = from.at + more.before_m * from.heading.unit();
-  to.at = to.at - more.after_m * to.heading.unit();
+  const auto [from, to] = poses_of(hop, machine, more);
   std::vector<HopWay> out;
-  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles)) {
+  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles(machine))) {
     const bool over_tracks = leads_over_tracks(manoeuvre.path, from, to);
     out.push_back({whole(std::move(manoeuvre), hop, machine.turning, more), over_tracks});
   }

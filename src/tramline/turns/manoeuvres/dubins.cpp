@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "tramline/turns/manoeuvres/driven_word.h"
@@ -11,14 +12,6 @@
 
 namespace tramline {
 namespace {
-
-/// A word by its numbers: letters as if it began to the left, and what stands for each.
-struct DubinsNumbers {
-  const char* letters = "";
-  bool mirrored = false;
-  std::array<double, 3> amounts{};
-  ManoeuvreKind kind = ManoeuvreKind::kDubins;
-};
 
 /// Calls visit(numbers) for the words that exist, in the order LSL, RSR, LSR, RSL, LRL, RLR.
 template <class Visit>
@@ -96,6 +89,38 @@ Manoeuvre shortest_dubins(const Pose& from, const Pose& to, double radius_m) {
     shortest = numbers;
   });
   return *driven(from, word_of(shortest, curve), {curve, curve}, shortest.kind);
+}
+
+DubinsWords::DubinsWords(const Pose& from, const Pose& to, double radius_m)
+    : from_(from), radius_m_(radius_m) {
+  assert(radius_m > 0);
+  std::array<long long, 6> lengths{};  // insertion keeps the order of words that are as long
+  for_each_dubins(relative(from, to), arc_turn(radius_m), [&](const DubinsNumbers& numbers) {
+    const long long length = std::llround(arcs_length(numbers, radius_m) / kEqualAmount);
+    std::size_t at = count_++;
+    for (; at > 0 && lengths[at - 1] > length; --at) {
+      lengths[at] = lengths[at - 1];
+      words_[at] = words_[at - 1];
+    }
+    lengths[at] = length;
+    words_[at] = numbers;
+  });
+}
+
+DubinsWords::Ends DubinsWords::ends(std::size_t i) const {
+  assert(i < count_);
+  const DubinsNumbers& word = words_[i];
+  const auto turned_m = [&](std::size_t part) {
+    const bool left = (word.letters[part] == 'L') != word.mirrored;
+    return (left ? 1 : -1) * radius_m_ * word.amounts[part];
+  };
+  return {turned_m(0), turned_m(2)};
+}
+
+Manoeuvre DubinsWords::built(std::size_t i) const {
+  assert(i < count_);
+  const TurnCurve curve = arc_turn(radius_m_);
+  return *driven(from_, word_of(words_[i], curve), {curve, curve}, words_[i].kind);
 }
 
 }  // namespace tramline

@@ -1,6 +1,8 @@
 #pragma once
 // The shortest ways forward from one pose to another.
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "tramline/model/manoeuvre.h"
@@ -26,5 +28,40 @@ std::vector<Manoeuvre> dubins_words(const Pose& from, const Pose& to, const Turn
 double dubins_length(const Pose& from, const Pose& to, double radius_m);
 /// The shortest of dubins_words(), without building the others. Precondition: radius_m > 0.
 Manoeuvre shortest_dubins(const Pose& from, const Pose& to, double radius_m);
+
+/// A word by its numbers: letters as if it began to the left, an amount for each (rad of a turn, m of a
+/// line), and whether L stands for a turn to the right.
+struct DubinsNumbers {
+  const char* letters = "";
+  bool mirrored = false;
+  std::array<double, 3> amounts{};
+  ManoeuvreKind kind = ManoeuvreKind::kDubins;
+};
+
+/// What dubins_words() returns, without building it; a word that repeats another may be among them. For those
+/// who leave most words alone for how they begin and end. Allocates nothing.
+class DubinsWords {
+ public:
+  /// Precondition: radius_m > 0.
+  DubinsWords(const Pose& from, const Pose& to, double radius_m);
+
+  std::size_t size() const { return count_; }
+
+  /// The way on which a word turns before anything else, and the one on which it turns last, m: positive to
+  /// the left, negative to the right, 0 where it begins or ends with a line. A word of one turn in two parts
+  /// begins with one of them.
+  struct Ends {
+    double first_m = 0, last_m = 0;
+  };
+  /// Of the words, the shortest first. Precondition: i < size().
+  Ends ends(std::size_t i) const;
+  Manoeuvre built(std::size_t i) const;
+
+ private:
+  Pose from_;
+  double radius_m_;
+  std::array<DubinsNumbers, 6> words_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace tramline

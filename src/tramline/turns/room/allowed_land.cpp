@@ -1,6 +1,7 @@
 #include "tramline/turns/room/allowed_land.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/turns/outline/tolerances.h"
@@ -65,12 +66,15 @@ bool starts_on(const LandEdges& land, const std::vector<Box>& parts, const Place
                      [&](const Box& part) { return land.contains(to_ground(start, part.centre())); });
 }
 
+bool stretch_stays(const LandEdges& land, const SteeredStretch& stretch, const std::vector<Box>& parts) {
+  return motion_stays(land, parts, 0, stretch.length_m,
+                      [&](double from_m, double to_m) { return machine_motion(stretch, from_m, to_m); });
+}
+
 bool machine_stays(const LandEdges& land, const SteeredPath& path, const std::vector<Box>& parts) {
   if (!starts_on(land, parts, placed(path.front().start))) return false;
-  return std::all_of(path.begin(), path.end(), [&](const SteeredStretch& stretch) {
-    return motion_stays(land, parts, 0, stretch.length_m,
-                        [&](double from_m, double to_m) { return machine_motion(stretch, from_m, to_m); });
-  });
+  return std::all_of(path.begin(), path.end(),
+                     [&](const SteeredStretch& stretch) { return stretch_stays(land, stretch, parts); });
 }
 
 bool implement_stays(const LandEdges& land, const SteeredPath& path, const Outline& outline) {
@@ -100,6 +104,16 @@ bool AllowedLand::fits(const SteeredPath& path, const Outline& outline) const {
       std::any_of(path.begin(), path.end(), [](const SteeredStretch& stretch) { return stretch.clothoid(); });
   if (!machine_stays(clothoids ? bounded_ : exact_, path, outline.on_machine)) return false;
   return !outline.tows() || implement_stays(bounded_, path, outline);
+}
+
+bool AllowedLand::holds(const Pose& pose, const Outline& outline) const {
+  assert(!outline.tows());
+  return starts_on(exact_, outline.on_machine, placed(pose));
+}
+
+bool AllowedLand::never_leaves(const SteeredStretch& stretch, const Outline& outline) const {
+  assert(!outline.tows() && !stretch.clothoid());
+  return stretch_stays(exact_, stretch, outline.on_machine);
 }
 
 double AllowedLand::missing_m(const SteeredPath& path, const Outline& outline) const {

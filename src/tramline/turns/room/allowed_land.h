@@ -24,6 +24,12 @@ class AllowedLand {
   /// outlines that tow have no reverse (TowedMotion). O(edges near the path) for lines and arcs.
   bool fits(const SteeredPath& path, const Outline& outline) const;
 
+  /// fits() in parts, where nothing is towed and a path is lines and arcs: the outline is on the land in the
+  /// path's first pose, and leaves it on none of the stretches, each by itself.
+  bool holds(const Pose& pose, const Outline& outline) const;
+  /// Preconditions: the outline is on the land where the stretch starts; no clothoid; nothing is towed.
+  bool never_leaves(const SteeredStretch& stretch, const Outline& outline) const;
+
   /// The greatest distance from the land of a point of the outline on its way, m: how much room is missing.
   /// 0 where it fits; otherwise found to kMissingRoom_m by bounding (the distance from the land changes by no
   /// more than a point moves), and rather too little than too much. For reports: O(n) for each of up to

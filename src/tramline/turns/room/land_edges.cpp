@@ -67,21 +67,22 @@ bool LandEdges::lie_between(Point a, Point b) const {
   constexpr double kInLine_m = 1e-9;
   const Point way = b - a;
   bool odd = false, in_line = false;
-  // On which side of a line a point is; `length_m`: of the vector along the line.
-  const auto is_left = [&in_line](double twice_area_m2, double length_m) {
-    if (std::abs(twice_area_m2) <= kInLine_m * length_m) in_line = true;
+  // On which side of the line along a vector a point is. A vector is no longer than the sum of its
+  // components.
+  const auto is_left = [&in_line](double twice_area_m2, Point along) {
+    if (std::abs(twice_area_m2) <= kInLine_m * (std::abs(along.x) + std::abs(along.y)) &&
+        std::abs(twice_area_m2) <= kInLine_m * length(along))
+      in_line = true;
     return twice_area_m2 > 0;
   };
-  const double way_m = length(way);
   grid().each_meeting(
       {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)}, [&](std::size_t i) {
         const EdgeIndex::Edge& edge = edges()[i];
         const Point along = edge.to - edge.from;
-        const double along_m = length(along);
         const bool ends_apart =
-            is_left(cross(way, edge.from - a), way_m) != is_left(cross(way, edge.to - a), way_m);
+            is_left(cross(way, edge.from - a), way) != is_left(cross(way, edge.to - a), way);
         const bool points_apart =
-            is_left(cross(along, a - edge.from), along_m) != is_left(cross(along, b - edge.from), along_m);
+            is_left(cross(along, a - edge.from), along) != is_left(cross(along, b - edge.from), along);
         if (ends_apart && points_apart) odd = !odd;
       });
   return in_line ? contains(a) != contains(b) : odd;
