@@ -2,10 +2,11 @@
 //
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
+//              [--prove 1] [--most HECTARES]
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
-// thresholds of his comparisons. A line for every field, tab-separated: id, hectares, corners, obstacles,
+// thresholds of his comparisons. --prove 1: prices on the ground. --most: no larger fields. A line for every field, tab-separated: id, hectares, corners, obstacles,
 // processor time in ms, cost, bound, cost and bound of undivided plans, directions tried, and a sum over
 // every number of the plan's tracks, so that two builds can be compared by `diff` but for the times. Fields
 // are planned side by side, as best_real does; the last lines have the quantiles of groups of fields, and how
@@ -41,6 +42,8 @@ struct Request {
   Objective prices{};
   bool sweep = false;
   bool with_obstacles = false;
+  bool prove = false;
+  double most_hectares = 1e9;
 };
 
 struct Timed {
@@ -95,10 +98,12 @@ Timed timed(const Field& field, const Request& request) {
   if (request.with_obstacles && field.obstacles.empty()) return {};
   Timed out;
   out.hectares = 1e-4 * area(Polygon{field.outer, {}});
+  if (out.hectares > request.most_hectares) return {};
   out.corners = corners_of(field);
   out.obstacles = field.obstacles.size();
   PlanSettings settings;
   settings.headlands = request.headlands;
+  settings.prove = request.prove;
   if (request.curved) settings.shape = TrackShape::kAuto;
   if (request.sweep) {
     settings.strategy = Strategy::kSweep;
@@ -179,6 +184,8 @@ int run(int argc, char** argv) {
     if (word == "--scenario") request.prices = scenario(std::atoi(argv[i + 1]));
     if (word == "--prices") request.prices = prices_in(argv[i + 1]);
     if (word == "--sweep") request.sweep = std::atoi(argv[i + 1]) != 0;
+    if (word == "--prove") request.prove = std::atoi(argv[i + 1]) != 0;
+    if (word == "--most") request.most_hectares = std::atof(argv[i + 1]);
     if (word == "--obstacles") request.with_obstacles = std::atoi(argv[i + 1]) != 0;
   }
   auto fields = request.all ? read_all_real_fields() : read_real_fields();
