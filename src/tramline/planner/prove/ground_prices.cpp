@@ -15,12 +15,16 @@
 namespace tramline {
 namespace {
 
-constexpr int kMostCells = 500;
+inline int env(const char* n, int d) { const char* s = std::getenv(n); return s ? std::atoi(s) : d; }
+const int kMostCells = env("CELLS", 500);
 /// Samples of land of a sweep of all directions, at most about so many.
 constexpr double kSamples = 1.5e8;
 constexpr int kFewestLines = 3, kMostLines = 10;
 /// Rounds that look at every so many directions, and after them those that look at all.
-constexpr int kRounds = 30, kStride = 8, kWholeRounds = 3;
+const int kRounds = env("ROUNDS", 30);
+constexpr int kStride = 6, kWholeRounds = 3;
+/// The former take so many samples across the width.
+constexpr int kCoarseLines = 4;
 /// A round finds no more pieces of one direction, and none that is worth less more than its turn.
 constexpr std::size_t kMostPieces = 4;
 constexpr double kExcess = 0.002;
@@ -63,12 +67,13 @@ class PriceSearch {
     std::vector<double> best;
     double most_value = 0;
     for (int round = 0; round < kRounds && !context_.has_to_end(); ++round) {
-      const double excess = look(prices, kStride, round * 3 % kStride, program);
+      const double excess = look(prices, coarse(), kStride, round % kStride, program);
       scale(prices, excess);
       if (const double value = worth_of_land(prices); best.empty() || value > most_value) {
         most_value = value;
         best = prices;
       }
+      if (std::getenv("SHOW")) std::fprintf(stderr, "%d most %.3f value %.3f\n", round, excess, worth_of_land(prices) - price_.turn);
       const std::vector<double> proposed = program.prices();
       // Between the best known and the proposal, which alone would jump to and fro.
       for (std::size_t i = 0; i < prices.size(); ++i) prices[i] = 0.5 * (best[i] + proposed[i]);
@@ -77,8 +82,9 @@ class PriceSearch {
     prices = best;
     for (int round = 0; round < kWholeRounds && !best.empty(); ++round) {
       if (context_.has_to_end()) break;
-      scale(prices, look(prices, 1, 0, program) * (1 + kMargin));
+      scale(prices, look(prices, scale_, 1, 0, program) * (1 + kMargin));
       if (worth_of_land(prices) - price_.turn > out.bound) out = as_proof(prices);
+      if (std::getenv("SHOW")) std::fprintf(stderr, "WHOLE value %.3f cells %zu\n", worth_of_land(prices) - price_.turn, prices.size());
       prices = program.prices();
     }
     return out;
@@ -94,6 +100,13 @@ class PriceSearch {
     scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), kFewestLines, kMostLines);
     directions_ = std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
     scale_.half_angle = std::numbers::pi / (2 * directions_);
+  }
+
+  /// For rounds that prove nothing.
+  SweepScale coarse() const {
+    SweepScale out = scale_;
+    out.lines = std::min(out.lines, kCoarseLines);
+    return out;
   }
 
   double worth_of_land(const std::vector<double>& prices) const {
@@ -125,12 +138,12 @@ class PriceSearch {
 
   /// Sweeps every so many directions, adds to the program what is worth too much, and returns the most that
   /// any piece is worth.
-  double look(const std::vector<double>& prices, int stride, int phase, PriceProgram& program) const {
+  double look(const std::vector<double>& prices, const SweepScale& by, int stride, int phase, PriceProgram& program) const {
     const PixelWorth worth = labels_->worth(prices, price_.overlap);
     std::vector<Looked> found(static_cast<std::size_t>((directions_ - phase + stride - 1) / stride));
     for_each_index(found.size(), context_.uncounted(), [&](std::size_t i) {
       const double angle = (2 * (phase + stride * static_cast<double>(i)) + 1) * scale_.half_angle;
-      found[i] = look_along(angle, prices, worth);
+      found[i] = look_along(angle, by, prices, worth);
     });
     double most = 0;
     for (const Looked& one : found) {
@@ -141,16 +154,17 @@ class PriceSearch {
     return most;
   }
 
-  Looked look_along(double angle, const std::vector<double>& prices, const PixelWorth& worth) const {
-    StripSweep sweep(*labels_, worth, scale_, pivot_);
+  Looked look_along(double angle, const SweepScale& by, const std::vector<double>& prices,
+                    const PixelWorth& worth) const {
+    StripSweep sweep(*labels_, worth, by, pivot_);
     sweep.lay(angle, zones(angle, prices));
     Looked out;
     out.most = sweep.most();
     // One at most for each width.
     std::vector<int> offsets;
-    for (int from = 0; from < sweep.offsets(); from += scale_.lines) {
+    for (int from = 0; from < sweep.offsets(); from += by.lines) {
       int best = from;
-      for (int k = from; k < std::min(sweep.offsets(), from + scale_.lines); ++k)
+      for (int k = from; k < std::min(sweep.offsets(), from + by.lines); ++k)
         if (sweep.worth(k) > sweep.worth(best)) best = k;
       if (sweep.worth(best) > price_.turn * (1 + kExcess)) offsets.push_back(best);
     }

@@ -29,11 +29,15 @@ void StripSweep::lay(double angle, std::vector<SweepZone> zones) {
   rows_ = static_cast<int>(std::ceil(turned.max_y / step_m)) - first_row_;
   const auto count = static_cast<std::size_t>(lines_) * static_cast<std::size_t>(rows_);
   sets_.resize(count);
+  samples_.resize(count);
   std::size_t at = 0;
   for (int line = 0; line < lines_; ++line)
-    for (int row = 0; row < rows_; ++row)
-      sets_[at++] = ground_.set_at(pivot_ + (first_line_ + line + 0.5) * step_m * right_ +
-                                   (first_row_ + row + 0.5) * step_m * up_);
+    for (int row = 0; row < rows_; ++row, ++at) {
+      sets_[at] = ground_.set_at(pivot_ + (first_line_ + line + 0.5) * step_m * right_ +
+                                 (first_row_ + row + 0.5) * step_m * up_);
+      samples_[at] = worth_.worth[static_cast<std::size_t>(sets_[at])];
+    }
+  sums_.assign(static_cast<std::size_t>(rows_), 0);
   // Swaths begin up to their width left of the land.
   best_.assign(static_cast<std::size_t>(lines_ + scale_.lines - 1), {});
   std::vector<double> rows;
@@ -46,19 +50,17 @@ std::int32_t StripSweep::set_at(int line, int row) const {
 }
 
 void StripSweep::look(int offset, std::vector<double>& rows) {
-  rows.assign(static_cast<std::size_t>(rows_), 0);
-  for (int i = 0; i < scale_.lines; ++i) {
-    const int line = offset - scale_.lines + 1 + i;
-    const bool there = line >= 0 && line < lines_;
-    const std::int32_t* sets = there ? &sets_[static_cast<std::size_t>(line) * static_cast<std::size_t>(rows_)] : nullptr;
-    if (there)
-      for (std::size_t row = 0; row < rows.size(); ++row)
-        rows[row] += worth_.worth[static_cast<std::size_t>(sets[row])];
-    else
-      for (double& row : rows) row += worth_.worth[0];
-  }
   const double pixel_m2 = scale_.step_m() * scale_.step_m();
-  for (double& row : rows) row *= pixel_m2;
+  rows.resize(sums_.size());
+  if (offset % scale_.lines == 0) {
+    // Afresh now and then, so that rounding does not add up.
+    std::fill(sums_.begin(), sums_.end(), 0);
+    for (int i = 0; i < scale_.lines; ++i) add_line(offset - i, 1);
+  } else {
+    add_line(offset, 1);
+    add_line(offset - scale_.lines, -1);
+  }
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = sums_[row] * pixel_m2;
   if (!zones_.empty()) add_zones(offset, rows);
   // Of all stretches of rows the one with the largest sum.
   Best& best = best_[static_cast<std::size_t>(offset)];
@@ -73,6 +75,15 @@ void StripSweep::look(int offset, std::vector<double>& rows) {
     sum += rows[static_cast<std::size_t>(row)];
     if (sum > best.worth) best = {sum, from, row + 1};
   }
+}
+
+void StripSweep::add_line(int line, double sign) {
+  if (line < 0 || line >= lines_) {
+    for (double& sum : sums_) sum += sign * worth_.worth[0];
+    return;
+  }
+  const double* worth = &samples_[static_cast<std::size_t>(line) * sums_.size()];
+  for (std::size_t row = 0; row < sums_.size(); ++row) sums_[row] += sign * worth[row];
 }
 
 int StripSweep::row_at(double along_m) const {

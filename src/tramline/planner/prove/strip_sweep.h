@@ -59,6 +59,7 @@ class StripSweep {
   };
   std::int32_t set_at(int line, int row) const;
   void look(int offset, std::vector<double>& rows);
+  void add_line(int line, double sign);
   void add_zones(int offset, std::vector<double>& rows) const;
   std::vector<const SweepZone*> zones_at(int offset) const;
   int row_at(double along_m) const;
@@ -69,6 +70,8 @@ class StripSweep {
   Point pivot_, up_, right_;
   int first_line_ = 0, lines_ = 0, first_row_ = 0, rows_ = 0;
   std::vector<std::int32_t> sets_;  ///< line by line
+  std::vector<double> samples_;     ///< their worth
+  std::vector<double> sums_;        ///< by row, of the lines of a swath
   std::vector<SweepZone> zones_;
   std::vector<Best> best_;
 };

@@ -89,7 +89,7 @@ class BestSearch {
   /// A plan that divides the land has a further subfield at least.
   void prove_any_plan() {
     double least = least_cost_of_any_plan(task_);
-    if (task_.settings.prove && best_.works()) {
+    if (task_.settings.prove && best_.works() && !context_.wants_layout_only()) {
       out_.proof.prices = proven_prices(task_, best_.subfields.front().direction, context_);
       const double given_up_m2 = std::max(0.0, task_.body_m2 - area(task_.ground.plannable));
       least = std::max(least, out_.proof.prices.bound + task_.objective.uncovered * given_up_m2);
