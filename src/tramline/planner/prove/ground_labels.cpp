@@ -12,11 +12,10 @@ namespace {
 
 constexpr std::uint8_t kLandBit = 1, kPassableBit = 2;
 
-PriceGrid grid_of(const Region& turned, Direction along, double side_m) {
+PriceGrid grid_of(const Region& turned, const Box& box, Direction along, double side_m) {
   PriceGrid out;
   out.frame = TrackFrame(along);
   out.side_m = side_m;
-  const Box box = bounds(turned);
   out.columns = std::max(1, static_cast<int>(std::ceil(box.width() / side_m)));
   out.rows = std::max(1, static_cast<int>(std::ceil(box.height() / side_m)));
   // The same amount beyond either side.
@@ -109,12 +108,14 @@ std::vector<std::pair<int, int>> neighbourhood(double reach) {
 
 }  // namespace
 
-PriceGrid price_grid(const Region& land, Direction along, int most, double least_m) {
-  const Region turned = TrackFrame(along).to_track(land);
-  constexpr double kFinest = 1.0, kStep = 1.02;
-  double side_m = std::max(least_m, std::sqrt(area(land) / most) * kFinest);
+PriceGrid price_grid(const Region& land, const Region& ground, Direction along, int most, double least_m) {
+  const TrackFrame frame(along);
+  const Region turned = frame.to_track(land);
+  const Box box = bounds(frame.to_track(ground));
+  constexpr double kStep = 1.02;
+  double side_m = std::max(least_m, std::sqrt(area(land) / most));
   for (;;) {
-    PriceGrid out = grid_of(turned, along, side_m);
+    PriceGrid out = grid_of(turned, box, along, side_m);
     if (static_cast<int>(out.cells.size()) <= most) return out;
     side_m *= kStep;
   }

@@ -29,9 +29,9 @@ struct PriceGrid {
   }
 };
 
-/// The least cells that cover the land with at most `most` of them, none smaller than `least_m`. O(most · n)
-/// for n corners.
-PriceGrid price_grid(const Region& land, Direction along, int most, double least_m);
+/// The smallest cells of which at most `most` have any of the land, none smaller than `least_m`; columns and
+/// rows reach over all of the ground. O(most · n) for n corners.
+PriceGrid price_grid(const Region& land, const Region& ground, Direction along, int most, double least_m);
 
 /// What one square metre somewhere is worth to a piece that works it, at most.
 class PixelWorth {

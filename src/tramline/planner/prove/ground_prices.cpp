@@ -5,7 +5,6 @@
 #include <memory>
 #include <numbers>
 
-#include "tramline/avoidance/tolerances.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/prove/detour_groups.h"
@@ -15,14 +14,9 @@
 namespace tramline {
 namespace {
 
-inline int env(const char* n, int d) { const char* s = std::getenv(n); return s ? std::atoi(s) : d; }
-const int kMostCells = env("CELLS", 500);
-/// Samples of land of a sweep of all directions, at most about so many.
-constexpr double kSamples = 1.5e8;
 constexpr int kFewestLines = 3, kMostLines = 10;
-/// Rounds that look at every so many directions, and after them those that look at all.
-const int kRounds = env("ROUNDS", 30);
-constexpr int kStride = 6, kWholeRounds = 3;
+/// Rounds look at every so many directions; after them some look at all.
+constexpr int kStride = 6, kWholeRounds = 2;
 /// The former take so many samples across the width.
 constexpr int kCoarseLines = 4;
 /// A round finds no more pieces of one direction, and none that is worth less more than its turn.
@@ -30,6 +24,8 @@ constexpr std::size_t kMostPieces = 4;
 constexpr double kExcess = 0.002;
 /// What is proven once more by another sweep is allowed so much.
 constexpr double kMargin = 0.004;
+/// Areas that are measured another way differ by less.
+constexpr double kAreaRounding = 1e-6;
 
 /// What came of one direction.
 struct Looked {
@@ -39,17 +35,19 @@ struct Looked {
 
 class PriceSearch {
  public:
-  PriceSearch(const SearchTask& task, Direction along, const SearchContext& context)
+  PriceSearch(const SearchTask& task, Direction along, const SearchContext& context,
+              const PriceEffort& effort)
       : context_(context),
+        effort_(effort),
         price_(task.objective),
         terms_{task.machine.width_m, std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
                task.settings.avoid != Avoidance::kPaper} {
     const Region& ground = task.ground.plannable;
     const Region land = task.ground.passable.empty() ? ground : difference(ground, task.ground.passable);
-    grid_ = price_grid(land, along, kMostCells, terms_.width_m / 3);
+    grid_ = price_grid(land, ground, along, effort.most_cells, terms_.width_m / 3);
     const TrackFrame& frame = grid_.frame;
     const Region turned = frame.to_track(land);
-    set_scale(bounds(turned));
+    set_scale(bounds(frame.to_track(ground)));
     groups_ = detour_groups(task.ground.hazards, ground, terms_);
     for (DetourGroup& group : groups_)
       for (Point& corner : group.corners) corner = frame.to_track(corner);
@@ -66,26 +64,27 @@ class PriceSearch {
                                std::min(price_.uncovered, price_.turn / (2 * terms_.width_m * scale_.radius_m)));
     std::vector<double> best;
     double most_value = 0;
-    for (int round = 0; round < kRounds && !context_.has_to_end(); ++round) {
+    for (int round = 0; round < effort_.rounds && !context_.has_to_end(); ++round) {
       const double excess = look(prices, coarse(), kStride, round % kStride, program);
       scale(prices, excess);
       if (const double value = worth_of_land(prices); best.empty() || value > most_value) {
         most_value = value;
         best = prices;
       }
-      if (std::getenv("SHOW")) std::fprintf(stderr, "%d most %.3f value %.3f\n", round, excess, worth_of_land(prices) - price_.turn);
       const std::vector<double> proposed = program.prices();
       // Between the best known and the proposal, which alone would jump to and fro.
       for (std::size_t i = 0; i < prices.size(); ++i) prices[i] = 0.5 * (best[i] + proposed[i]);
     }
     GroundPrices out;
     prices = best;
-    for (int round = 0; round < kWholeRounds && !best.empty(); ++round) {
-      if (context_.has_to_end()) break;
+    for (int round = 0; round < kWholeRounds && !best.empty() && !context_.has_to_end(); ++round) {
       scale(prices, look(prices, scale_, 1, 0, program) * (1 + kMargin));
-      if (worth_of_land(prices) - price_.turn > out.bound) out = as_proof(prices);
-      if (std::getenv("SHOW")) std::fprintf(stderr, "WHOLE value %.3f cells %zu\n", worth_of_land(prices) - price_.turn, prices.size());
-      prices = program.prices();
+      if (worth_of_land(prices) - price_.turn > out.bound) {
+        best = prices;
+        out = as_proof(best);
+      }
+      const std::vector<double> proposed = program.prices();
+      for (std::size_t i = 0; i < prices.size(); ++i) prices[i] = 0.5 * (best[i] + proposed[i]);
     }
     return out;
   }
@@ -96,7 +95,7 @@ class PriceSearch {
     scale_.width_m = terms_.width_m;
     scale_.radius_m = 0.5 * std::hypot(box.width(), box.height());
     const double step_m =
-        std::cbrt(std::numbers::pi * scale_.radius_m * box.width() * box.height() / kSamples);
+        std::cbrt(std::numbers::pi * scale_.radius_m * box.width() * box.height() / effort_.samples);
     scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), kFewestLines, kMostLines);
     directions_ = std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
     scale_.half_angle = std::numbers::pi / (2 * directions_);
@@ -132,7 +131,7 @@ class PriceSearch {
         shape.push_back(grid_.frame.to_field(corner));
       out.cells.push_back({std::move(shape), prices[i]});
     }
-    out.bound = (1 - kRounding_share) * worth_of_land(prices) - price_.turn;
+    out.bound = (1 - kAreaRounding) * worth_of_land(prices) - price_.turn;
     return out;
   }
 
@@ -202,6 +201,7 @@ class PriceSearch {
   }
 
   SearchContext context_;
+  PriceEffort effort_;
   Objective price_;
   Detouring terms_;
   PriceGrid grid_;
@@ -214,9 +214,10 @@ class PriceSearch {
 
 }  // namespace
 
-GroundPrices proven_prices(const SearchTask& task, Direction along, const SearchContext& context) {
+GroundPrices proven_prices(const SearchTask& task, Direction along, const SearchContext& context,
+                           const PriceEffort& effort) {
   if (task.ground.plannable.empty() || !(task.objective.turn > 0) || !(task.objective.uncovered > 0)) return {};
-  return PriceSearch(task, along, context).run();
+  return PriceSearch(task, along, context, effort).run();
 }
 
 }  // namespace tramline

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/check/measure/comparison.h"
 #include "tramline/check/prices/dearest_piece.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
@@ -35,7 +34,7 @@ class Prices {
     if (!are_sound()) return;
     PricedLand land{land_of(), passable(), &proof_, plan_.objective.overlap};
     const double sum = worth_of(land.land), turn = plan_.objective.turn;
-    if (!(proof_.bound <= sum - turn + rounding_of(sum)))
+    if (!(proof_.bound <= sum - turn + kAreaShare * sum))
       add(fmt::format("the prices of the land prove that no plan costs less than {:.6f}, not {:.6f}", sum - turn,
                       proof_.bound),
           proof_.cells.front().shape.front(), proof_.bound - sum + turn);
