@@ -136,7 +136,8 @@ std::string figure_rows(const Plan& plan) {
 }
 
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
-  return figure_rows(plan) + proof_row(plan) + prices_row(plan) + note_row(oddities(plan, skipped)) + front_row(plan);
+  return figure_rows(plan) + proof_row(plan) + prices_row(plan) + note_row(oddities(plan, skipped)) +
+         front_row(plan);
 }
 
 std::string plan_line(const Plan& plan, double seconds) {

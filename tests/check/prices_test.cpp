@@ -1,7 +1,7 @@
 // A proof by prices of the land that has been tampered with, and one that holds. The field is a rectangle of
 // 120 m x 24 m, 6 m wide swaths: four tracks along it, each worth 120 · 6 = 720 m². With a turn at 1 a price
-// of 1/(6 · L) is right for no piece longer than L, and none is longer than the diagonal of 122.4 m; the cells
-// are strips of 20 m x 24 m.
+// of 1/(6 · L) is right for no piece longer than L, and none is longer than the diagonal of 122.4 m; the
+// cells are strips of 20 m x 24 m.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,9 @@ constexpr double kLength_m = 120, kAcross_m = 24, kWidth_m = 6, kCell_m = 20;
 /// Longer than any piece that lies within the land, also where a check looks a metre beyond its ends.
 constexpr double kLongest_m = 128;
 
-Ring rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 
 Plan proven_plan() {
   Plan plan;
@@ -139,8 +141,8 @@ TEST(Prices, FreeOverlapChangesNothingWithinOneTrack) {
   EXPECT_EQ(faults(plan), std::vector<std::string>{});
 }
 
-// A pole of 1 m in the middle. A detour may be displaced by h = 1.01 + 6 m, and is then longer than its rows by
-// 2h·√(h/(4r − h)) = 9 m at most, r = 6 m: 129 m, and the price is right for no more than 128 m.
+// A pole of 1 m in the middle. A detour may be displaced by h = 1.01 + 6 m, and is then longer than its rows
+// by 2h·√(h/(4r − h)) = 9 m at most, r = 6 m: 129 m, and the price is right for no more than 128 m.
 TEST(Prices, DetoursRoundAnObstacleAreCounted) {
   Plan plan = proven_plan();
   const Ring pole = rectangle(60, 11, 61, 12);

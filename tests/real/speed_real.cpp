@@ -6,11 +6,11 @@
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
-// thresholds of his comparisons. --prove 1: prices on the ground. --most: no larger fields. A line for every field, tab-separated: id, hectares, corners, obstacles,
-// processor time in ms, cost, bound, cost and bound of undivided plans, directions tried, and a sum over
-// every number of the plan's tracks, so that two builds can be compared by `diff` but for the times. Fields
-// are planned side by side, as best_real does; the last lines have the quantiles of groups of fields, and how
-// many fields a second of processor time holds.
+// thresholds of his comparisons. --prove 1: prices on the ground. --most: no larger fields. A line for every
+// field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound, cost and bound
+// of undivided plans, directions tried, and a sum over every number of the plan's tracks, so that two builds
+// can be compared by `diff` but for the times. Fields are planned side by side, as best_real does; the last
+// lines have the quantiles of groups of fields, and how many fields a second of processor time holds.
 
 #include <fmt/format.h>
 

@@ -73,7 +73,8 @@ void require_provable(const PlanSettings& settings) {
   if (settings.strategy != Strategy::kBest)
     throw bad_input("--prove goes with --strategy best, which alone proves anything");
   if (settings.shape == TrackShape::kCurved || !settings.guide.empty())
-    throw bad_input("--prove is about plans of straight tracks of any direction: leave out --curved and --line");
+    throw bad_input(
+        "--prove is about plans of straight tracks of any direction: leave out --curved and --line");
 }
 
 }  // namespace

@@ -94,7 +94,8 @@ class DearestPiece {
   void add_line(const Look& look, int line, double sign, std::vector<double>& rows) const {
     const Point foot = pivot_ + (line + 0.5) * look.step_m * right_;
     for (int row = -rows_; row < rows_; ++row)
-      rows[static_cast<std::size_t>(row + rows_)] += sign * look.ground.at(foot + (row + 0.5) * look.step_m * up_);
+      rows[static_cast<std::size_t>(row + rows_)] +=
+          sign * look.ground.at(foot + (row + 0.5) * look.step_m * up_);
   }
 
   void look_at(const Look& look, const Offsets& range, std::vector<Offsets>& open,
@@ -146,7 +147,8 @@ class DearestPiece {
   }
 
   int row_of(const Look& look, const DetourReach& detour) const {
-    const int middle = static_cast<int>(std::floor(0.5 * (detour.land.min_y + detour.land.max_y) / look.step_m));
+    const int middle =
+        static_cast<int>(std::floor(0.5 * (detour.land.min_y + detour.land.max_y) / look.step_m));
     return std::clamp(middle + rows_, 0, 2 * rows_ - 1);
   }
 

@@ -56,7 +56,8 @@ bool ends_between(const ObstacleGroup& a, const ObstacleGroup& b, double reach_m
   both = both.grown(reach_m);
   for (const Polygon& polygon : land)
     for (std::size_t i = 0; i < polygon.outer.size(); ++i)
-      if (intersects(bounds(polygon.outer[i], polygon.outer[(i + 1) % polygon.outer.size()]), both)) return true;
+      if (intersects(bounds(polygon.outer[i], polygon.outer[(i + 1) % polygon.outer.size()]), both))
+        return true;
   return false;
 }
 
@@ -77,7 +78,8 @@ std::vector<ObstacleGroup> obstacle_groups(const Plan& plan, const Region& land)
       joined = false;
       for (std::size_t i = 0; i < out.size() && !joined; ++i) {
         const double reach_m = spread_m(one) + spread_m(out[i]) + 2 * plan.machine.width_m;
-        if (apart_m(one.box, out[i].box) > reach_m && !ends_between(one, out[i], plan.machine.width_m, land)) continue;
+        if (apart_m(one.box, out[i].box) > reach_m && !ends_between(one, out[i], plan.machine.width_m, land))
+          continue;
         one.box.extend(out[i].box);
         one.corners.insert(one.corners.end(), out[i].corners.begin(), out[i].corners.end());
         one.ways_round += out[i].ways_round;
@@ -90,8 +92,8 @@ std::vector<ObstacleGroup> obstacle_groups(const Plan& plan, const Region& land)
   return out;
 }
 
-std::vector<DetourReach> detours_along(const Plan& plan, const std::vector<ObstacleGroup>& groups, Point pivot,
-                                       Point up, double stray_m) {
+std::vector<DetourReach> detours_along(const Plan& plan, const std::vector<ObstacleGroup>& groups,
+                                       Point pivot, Point up, double stray_m) {
   const Point right{up.y, -up.x};
   std::vector<DetourReach> out;
   std::vector<Box> boxes;
@@ -104,8 +106,10 @@ std::vector<DetourReach> detours_along(const Plan& plan, const std::vector<Obsta
     const double across_m = plan.machine.width_m + 2 * stray_m +
                             kBeyondCorners * std::hypot(group.box.width(), group.box.height());
     const double rows_m = along_m(plan, box.width()) + stray_m;
-    DetourReach reach{box.min_x, box.max_x,
-                      {box.min_x - across_m, box.min_y - rows_m, box.max_x + across_m, box.max_y + rows_m}, 0};
+    DetourReach reach{box.min_x,
+                      box.max_x,
+                      {box.min_x - across_m, box.min_y - rows_m, box.max_x + across_m, box.max_y + rows_m},
+                      0};
     reach.longer_m =
         std::min(group.ways_round * longer_m(plan, box.width()), kSteepestLength * reach.land.height());
     out.push_back(reach);

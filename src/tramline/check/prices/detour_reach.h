@@ -28,7 +28,7 @@ struct DetourReach {
 
 /// For all directions near `up`, so that nothing of the land, seen from the pivot, moves farther than
 /// `stray_m`.
-std::vector<DetourReach> detours_along(const Plan& plan, const std::vector<ObstacleGroup>& groups, Point pivot,
-                                       Point up, double stray_m);
+std::vector<DetourReach> detours_along(const Plan& plan, const std::vector<ObstacleGroup>& groups,
+                                       Point pivot, Point up, double stray_m);
 
 }  // namespace tramline::check

@@ -17,7 +17,9 @@ float not_below(double number) {
 
 template <class Visit>
 void PricedGround::each_within(const Box& box, const Visit& visit) const {
-  const auto first = [&](double from) { return std::max(0, static_cast<int>(std::floor(from / pixel_m_ - 0.5))); };
+  const auto first = [&](double from) {
+    return std::max(0, static_cast<int>(std::floor(from / pixel_m_ - 0.5)));
+  };
   const auto last = [&](double to, int count) {
     return std::min(count - 1, static_cast<int>(std::ceil(to / pixel_m_ - 0.5)));
   };
@@ -74,7 +76,8 @@ void PricedGround::mark_inside(const std::vector<Ring>& rings, Mark bit) {
         const double y = corner_.y + (row + 0.5) * pixel_m_;
         if (y < low.y) continue;
         if (y >= high.y) break;
-        crossings[static_cast<std::size_t>(row)].push_back(low.x + (high.x - low.x) * (y - low.y) / (high.y - low.y));
+        crossings[static_cast<std::size_t>(row)].push_back(low.x +
+                                                           (high.x - low.x) * (y - low.y) / (high.y - low.y));
       }
       a = b;
     }
@@ -84,9 +87,11 @@ void PricedGround::mark_inside(const std::vector<Ring>& rings, Mark bit) {
     std::sort(xs.begin(), xs.end());
     for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
       const int first = std::max(0, static_cast<int>(std::floor((xs[i] - corner_.x) / pixel_m_)));
-      const int last = std::min(columns_ - 1, static_cast<int>(std::floor((xs[i + 1] - corner_.x) / pixel_m_)));
+      const int last =
+          std::min(columns_ - 1, static_cast<int>(std::floor((xs[i + 1] - corner_.x) / pixel_m_)));
       for (int column = first; column <= last; ++column)
-        marks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)] |= bit;
+        marks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column)] |= bit;
     }
   }
 }
@@ -98,7 +103,8 @@ void PricedGround::mark_near(Point from, Point to, Mark bit) {
     const Point a = from + (1.0 * i / parts) * (to - from), b = from + (1.0 * (i + 1) / parts) * (to - from);
     each_within(bounds(a, b).grown(within_m_), [&](int column, int row) {
       if (distance_to_segment(middle(column, row), a, b) <= within_m_)
-        marks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)] |= bit;
+        marks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column)] |= bit;
     });
   }
 }
@@ -120,8 +126,8 @@ void PricedGround::raise(const GroundPrices::Cell& cell) {
     const Point at = middle(column, row);
     for (const HalfPlane& side : sides)
       if (dot(at - side.from, side.outwards) > within_m_) return;
-    float& worth =
-        worth_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+    float& worth = worth_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                          static_cast<std::size_t>(column)];
     worth = std::max(worth, price);
   });
 }

@@ -27,7 +27,8 @@ class PricedGround {
   double at(Point place) const {
     const double x = (place.x - corner_.x) / pixel_m_, y = (place.y - corner_.y) / pixel_m_;
     if (!(x >= 0 && y >= 0 && x < columns_ && y < rows_)) return outside_;
-    return worth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    return worth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x)];
   }
 
  private:

@@ -166,8 +166,8 @@ void GroundLabels::gather(const PriceGrid& grid, const std::vector<std::uint8_t>
       for (const auto& [dx, dy] : near) {
         const int a = x + dx, b = y + dy;
         if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
-        const std::uint8_t bits =
-            pixels[static_cast<std::size_t>(a) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(b)];
+        const std::uint8_t bits = pixels[static_cast<std::size_t>(a) * static_cast<std::size_t>(rows_) +
+                                         static_cast<std::size_t>(b)];
         if ((bits & kPassableBit) != 0) add(kPassable);
         // Land that is too little for a cell has no price.
         if ((bits & kLandBit) != 0) add(label(a, b) < 0 ? kPassable : label(a, b));
@@ -179,7 +179,8 @@ void GroundLabels::gather(const PriceGrid& grid, const std::vector<std::uint8_t>
         last_set = place->second;
         last = found;
       }
-      sets_[static_cast<std::size_t>(x) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(y)] = last_set;
+      sets_[static_cast<std::size_t>(x) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(y)] =
+          last_set;
     }
 }
 

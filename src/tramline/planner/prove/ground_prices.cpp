@@ -60,8 +60,8 @@ class PriceSearch {
     for (const PriceGrid::Cell& cell : grid_.cells) inside_m2.push_back(cell.inside_m2);
     PriceProgram program(inside_m2, price_.uncovered);
     // Prices that no piece collects more of than its turn, if only because none is so long.
-    std::vector<double> prices(inside_m2.size(),
-                               std::min(price_.uncovered, price_.turn / (2 * terms_.width_m * scale_.radius_m)));
+    std::vector<double> prices(
+        inside_m2.size(), std::min(price_.uncovered, price_.turn / (2 * terms_.width_m * scale_.radius_m)));
     std::vector<double> best;
     double most_value = 0;
     for (int round = 0; round < effort_.rounds && !context_.has_to_end(); ++round) {
@@ -97,7 +97,8 @@ class PriceSearch {
     const double step_m =
         std::cbrt(std::numbers::pi * scale_.radius_m * box.width() * box.height() / effort_.samples);
     scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), kFewestLines, kMostLines);
-    directions_ = std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
+    directions_ =
+        std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
     scale_.half_angle = std::numbers::pi / (2 * directions_);
   }
 
@@ -137,7 +138,8 @@ class PriceSearch {
 
   /// Sweeps every so many directions, adds to the program what is worth too much, and returns the most that
   /// any piece is worth.
-  double look(const std::vector<double>& prices, const SweepScale& by, int stride, int phase, PriceProgram& program) const {
+  double look(const std::vector<double>& prices, const SweepScale& by, int stride, int phase,
+              PriceProgram& program) const {
     const PixelWorth worth = labels_->worth(prices, price_.overlap);
     std::vector<Looked> found(static_cast<std::size_t>((directions_ - phase + stride - 1) / stride));
     for_each_index(found.size(), context_.uncounted(), [&](std::size_t i) {
@@ -216,7 +218,8 @@ class PriceSearch {
 
 GroundPrices proven_prices(const SearchTask& task, Direction along, const SearchContext& context,
                            const PriceEffort& effort) {
-  if (task.ground.plannable.empty() || !(task.objective.turn > 0) || !(task.objective.uncovered > 0)) return {};
+  if (task.ground.plannable.empty() || !(task.objective.turn > 0) || !(task.objective.uncovered > 0))
+    return {};
   return PriceSearch(task, along, context, effort).run();
 }
 

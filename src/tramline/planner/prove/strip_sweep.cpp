@@ -46,7 +46,8 @@ void StripSweep::lay(double angle, std::vector<SweepZone> zones) {
 
 std::int32_t StripSweep::set_at(int line, int row) const {
   if (line < 0 || line >= lines_) return 0;
-  return sets_[static_cast<std::size_t>(line) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)];
+  return sets_[static_cast<std::size_t>(line) * static_cast<std::size_t>(rows_) +
+               static_cast<std::size_t>(row)];
 }
 
 void StripSweep::look(int offset, std::vector<double>& rows) {
@@ -104,7 +105,8 @@ void StripSweep::add_zones(int offset, std::vector<double>& rows) const {
   const double row_m2 = scale_.width_m * scale_.step_m();
   for (const SweepZone* zone : zones)
     for (int row = row_at(zone->from_m); row <= row_at(zone->to_m); ++row)
-      rows[static_cast<std::size_t>(row)] = std::max(rows[static_cast<std::size_t>(row)], zone->price * row_m2);
+      rows[static_cast<std::size_t>(row)] =
+          std::max(rows[static_cast<std::size_t>(row)], zone->price * row_m2);
   // All rows of a zone are worth something, so that the best piece has them all or none.
   for (const SweepZone* zone : zones)
     rows[static_cast<std::size_t>(row_at(zone->from_m))] += zone->price * scale_.width_m * zone->longer_m;
@@ -123,7 +125,8 @@ PieceWorth StripSweep::piece(int offset) const {
   std::map<int, double> areas;
   const double pixel_m2 = scale_.step_m() * scale_.step_m();
   const double row_m2 = scale_.width_m * scale_.step_m();
-  const std::vector<const SweepZone*> zones = zones_.empty() ? std::vector<const SweepZone*>{} : zones_at(offset);
+  const std::vector<const SweepZone*> zones =
+      zones_.empty() ? std::vector<const SweepZone*>{} : zones_at(offset);
   const auto in = [&](const SweepZone& zone, int row) {
     return row >= row_at(zone.from_m) && row <= row_at(zone.to_m);
   };

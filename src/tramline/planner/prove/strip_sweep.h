@@ -10,10 +10,10 @@ namespace tramline {
 
 /// Land on which detours of one piece may run, in the turned plane of a sweep, for all directions near it.
 struct SweepZone {
-  double left_m = 0, right_m = 0;  ///< of the obstacles, across: pieces that meet it may have the detour
-  double from_m = 0, to_m = 0;     ///< rows that the detour may replace
-  double longer_m = 0;             ///< by how much it is longer than its rows, at most
-  double price = 0;                ///< the highest of the land that detours may work, not negative
+  double left_m = 0, right_m = 0;       ///< of the obstacles, across: pieces that meet it may have the detour
+  double from_m = 0, to_m = 0;          ///< rows that the detour may replace
+  double longer_m = 0;                  ///< by how much it is longer than its rows, at most
+  double price = 0;                     ///< the highest of the land that detours may work, not negative
   int label = GroundLabels::kPassable;  ///< the cell that it comes from
 };
 

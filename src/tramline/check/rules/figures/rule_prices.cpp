@@ -35,8 +35,8 @@ class Prices {
     PricedLand land{land_of(), passable(), &proof_, plan_.objective.overlap};
     const double sum = worth_of(land.land), turn = plan_.objective.turn;
     if (!(proof_.bound <= sum - turn + kAreaShare * sum))
-      add(fmt::format("the prices of the land prove that no plan costs less than {:.6f}, not {:.6f}", sum - turn,
-                      proof_.bound),
+      add(fmt::format("the prices of the land prove that no plan costs less than {:.6f}, not {:.6f}",
+                      sum - turn, proof_.bound),
           proof_.cells.front().shape.front(), proof_.bound - sum + turn);
     if (const std::optional<DearPiece> dear = dear_piece(plan_, land))
       add(fmt::format("a piece of direction {:.3f}° may be worth {:.6f} by the prices of its land, more than "
@@ -46,11 +46,14 @@ class Prices {
   }
 
  private:
-  void add(std::string what, Point at, double amount) { out_.push_back({Rule::kProof, std::move(what), at, amount}); }
+  void add(std::string what, Point at, double amount) {
+    out_.push_back({Rule::kProof, std::move(what), at, amount});
+  }
 
   bool are_sound() {
     const Point at = plan_.field.outer.front();
-    if (!std::isfinite(proof_.bound)) add(fmt::format("the bound by prices of the land is {}", proof_.bound), at, 0);
+    if (!std::isfinite(proof_.bound))
+      add(fmt::format("the bound by prices of the land is {}", proof_.bound), at, 0);
     if (proof_.cells.empty()) {
       if (proof_.bound > 0)
         add(fmt::format("there are no prices of the land that prove the bound of {:.6f}", proof_.bound), at,
@@ -71,7 +74,8 @@ class Prices {
 
   void check_cell(const GroundPrices::Cell& cell) {
     const Point at = cell.shape.empty() ? plan_.field.outer.front() : cell.shape.front();
-    if (!is_convex(cell.shape)) add(fmt::format("a cell with the price {:.6f} is not convex", cell.price), at, 0);
+    if (!is_convex(cell.shape))
+      add(fmt::format("a cell with the price {:.6f} is not convex", cell.price), at, 0);
     if (!(cell.price >= 0 && cell.price <= plan_.objective.uncovered * (1 + kSaidTwice)))
       add(fmt::format("the price of a cell is {:.6f}, not between 0 and {:.6f}, that of uncovered land",
                       cell.price, plan_.objective.uncovered),
@@ -90,7 +94,8 @@ class Prices {
         if (common.size() < 3) continue;
         const double common_m2 = std::abs(signed_area(common));
         if (common_m2 <= kCornerRounding_m * (boxes[i].width() + boxes[i].height())) continue;
-        add(fmt::format("two cells with prices have {:.6f} m² in common", common_m2), common.front(), common_m2);
+        add(fmt::format("two cells with prices have {:.6f} m² in common", common_m2), common.front(),
+            common_m2);
         return;
       }
   }
