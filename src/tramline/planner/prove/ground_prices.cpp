@@ -14,7 +14,7 @@
 namespace tramline {
 namespace {
 
-constexpr int kFewestLines = 3, kMostLines = 10;
+constexpr int kMostLines = 10;
 /// Rounds look at every so many directions; after them some look at all.
 constexpr int kStride = 6, kWholeRounds = 2;
 /// The former take so many samples across the width.
@@ -96,7 +96,7 @@ class PriceSearch {
     scale_.radius_m = 0.5 * std::hypot(box.width(), box.height());
     const double step_m =
         std::cbrt(std::numbers::pi * scale_.radius_m * box.width() * box.height() / effort_.samples);
-    scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), kFewestLines, kMostLines);
+    scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), effort_.fewest_lines, kMostLines);
     directions_ =
         std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
     scale_.half_angle = std::numbers::pi / (2 * directions_);

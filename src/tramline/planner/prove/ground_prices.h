@@ -12,6 +12,7 @@ struct PriceEffort {
   int most_cells = 500;
   int rounds = 30;         ///< of the linear program, in each of which it is told more pieces
   double samples = 1.5e8;  ///< of the ground, for a sweep of all directions and offsets; about so many
+  int fewest_lines = 3;    ///< into which the width is divided all the same, however large the land
 };
 
 /// Prices of square cells such that no piece of a plan is worth more than its turn: no plan of
