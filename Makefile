@@ -141,7 +141,7 @@ program: packages whole
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
 
-LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
+LONG := long-properties long-scenes long-best-bound long-bound-ways long-bound-divisions long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
@@ -163,8 +163,12 @@ long-scenes: build ## 10,000 random scenes full of obstacles, planned in every w
 BEST = $(LIMIT) $(RELEASE)/tests/properties/test_best_search
 long-best-bound: build ## on 10,000 random fields, no grid of 1,000 costs less than the bound
 	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoGridCostsLess*'
+long-bound-ways: build ## on 10,000 random fields with obstacles, no ways past them cost less than the bound of their box
+	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoWaysPastObstacles*'
+long-bound-divisions: build ## on 10,000 random fields, no division costs less than the bounds of any plan, with prices
+	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoDivisionCostsLess*'
 long-best-brute: build ## 200 random fields against brute force, and against the sweep
-	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*'
+	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*:*NoWaysPastObstacles*:*NoDivisionCostsLess*'
 long-best-real: build ## the best search against the sweep over the real fields, default prices
 	$(LIMIT) $(RELEASE)/tests/real/best_real
 long-best-real-1: build ## the same, Versleijen's scenario 1

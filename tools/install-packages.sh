@@ -5,7 +5,7 @@ set -euo pipefail
 
 program_packages=(
   build-essential binutils g++ cmake ninja-build ccache pkg-config
-  libgdal-dev libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
+  libgdal-dev libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev coinor-libclp-dev zlib1g-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
   fonts-dejavu-core
 )

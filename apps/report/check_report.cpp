@@ -116,6 +116,10 @@ std::string check_table(const std::string& plan_file, const Plan& plan, const ch
   for (const check::Violation& violation : verdict.violations) out += sentence(violation);
   out += findings_text(verdict.findings);
   out += not_verified_line(verdict.not_verified);
+  if (verdict.violations.empty() && !plan.proof.prices.cells.empty())
+    out +=
+        fmt::format("proof holds: no plan of tracks costs less than {:.2f}, further subfields not counted\n",
+                    std::max(0.0, plan.proof.prices.bound));
   if (verdict.violations.empty()) return out + "plan holds\n";
   return out + fmt::format("{} violation{}\n", verdict.violations.size(),
                            verdict.violations.size() == 1 ? "" : "s");
@@ -125,16 +129,18 @@ nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan
                                   const check::Verdict& verdict) {
   nlohmann::ordered_json recomputed;
   if (verdict.complete) recomputed = to_json(verdict.recomputed);
-  return {{"plan", plan_file},
-          {"field_id", plan.field.id},
-          {"key", field_key(plan.field)},
-          {"ok", verdict.holds()},
-          {"complete", verdict.complete},
-          {"violations", to_json(verdict.violations)},
-          {"findings", to_json(verdict.findings)},
-          {"recomputed", recomputed},
-          {"stored", to_json(plan.tally)},
-          {"not_verified", verdict.not_verified}};
+  nlohmann::ordered_json out = {{"plan", plan_file},
+                                {"field_id", plan.field.id},
+                                {"key", field_key(plan.field)},
+                                {"ok", verdict.holds()},
+                                {"complete", verdict.complete},
+                                {"violations", to_json(verdict.violations)},
+                                {"findings", to_json(verdict.findings)},
+                                {"recomputed", recomputed},
+                                {"stored", to_json(plan.tally)},
+                                {"not_verified", verdict.not_verified}};
+  if (!plan.proof.prices.cells.empty() && verdict.holds()) out["proven_bound"] = plan.proof.prices.bound;
+  return out;
 }
 
 }  // namespace tramline::app

@@ -72,11 +72,18 @@ std::string ground_rows(const Plan& plan) {
 std::string proof_rows(const Plan& plan) {
   const Proof& proof = plan.proof;
   return fmt::format(
-      "bound        no plan costs less than {:.2f}, so a better plan could save {:.2f} at most\n"
-      "undivided    the best plan found with one direction costs {:.2f}, and none such costs less than "
-      "{:.2f}\n",
-      proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
-      proof.one_direction_bound);
+             "bound        no plan costs less than {:.2f}, so a better plan could save {:.2f} at most\n"
+             "undivided    the best plan found with one direction costs {:.2f}, and none such costs less "
+             "than "
+             "{:.2f}\n",
+             proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
+             proof.one_direction_bound) +
+         (proof.prices.cells.empty()
+              ? ""
+              : fmt::format(
+                    "prices       of {} cells of land prove that no plan of tracks costs less than {:.2f}, "
+                    "further subfields not counted\n",
+                    proof.prices.cells.size(), std::max(0.0, proof.prices.bound)));
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.
@@ -173,6 +180,8 @@ void add_proof_keys(ordered_json& out, const Plan& plan) {
   out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
   out["gap_one_direction"] =
       proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
+  if (!proof.prices.cells.empty())
+    out["prices"] = {{"cells", proof.prices.cells.size()}, {"bound", proof.prices.bound}};
   out["cut_short"] = proof.cut_short;
 }
 

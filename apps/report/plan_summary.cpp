@@ -89,6 +89,15 @@ std::string note_row(const std::vector<std::string>& odd) {
   return fmt::format("note         {}{}\n", odd.front(), more);
 }
 
+/// By prices of the land, where they were asked for.
+std::string prices_row(const Plan& plan) {
+  const double bound = plan.proof.bound;
+  if (plan.proof.prices.cells.empty() || bound <= 0 || plan.cost <= 0) return "";
+  if (plan.cost <= bound) return "proven       no plan costs less\n";
+  return fmt::format("proven       at most {:.1f} % above the best plan with any division\n",
+                     std::ceil(1000 * (plan.cost / bound - 1)) / 10);
+}
+
 /// Empty where nothing is proven, or so little that it tells nobody anything.
 std::string proof_row(const Plan& plan) {
   constexpr double kMostTold = 1;
@@ -127,7 +136,8 @@ std::string figure_rows(const Plan& plan) {
 }
 
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
-  return figure_rows(plan) + proof_row(plan) + note_row(oddities(plan, skipped)) + front_row(plan);
+  return figure_rows(plan) + proof_row(plan) + prices_row(plan) + note_row(oddities(plan, skipped)) +
+         front_row(plan);
 }
 
 std::string plan_line(const Plan& plan, double seconds) {

@@ -335,6 +335,7 @@ PlanSettings settings_of(const PlanOptions& o) {
   PlanSettings settings;
   settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
   settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
+  settings.prove = o.prove;
   set_headlands(o, settings);
   settings.turns = turns_typed(o, settings);
   if (settings.turns == TurnPlanning::kRoute && !is_priced_otherwise(o)) settings.aim = Aim::kWholeCost;

@@ -35,6 +35,7 @@ struct PlanOptions {
   std::string weights, prices, minimise;
   std::string strategy = "best";
   double direction_tolerance_deg = 0.01;
+  bool prove = false;
   std::string end_rule;  ///< cheapest; with Zhou's tracks cover
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";

@@ -2,16 +2,17 @@
 //
 //   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
-//              [--whole 1]
+//              [--whole 1] [--prove 1] [--most HECTARES]
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the
 // thresholds of his comparisons. --whole 1: the plan that the program makes without further options, of which
-// the cost is that of the whole route, in euros. A line for every field, tab-separated: id, hectares,
-// corners, obstacles, processor time in ms, cost, bound, cost and bound of undivided plans, directions tried,
-// and a sum over every number of the plan's tracks and of its route, so that two builds can be compared by
-// `diff` but for the times. Fields are planned side by side, as best_real does; the last lines have the
-// quantiles of groups of fields, and how many fields a second of processor time holds.
+// the cost is that of the whole route, in euros. --prove 1: prices on the ground. --most: no larger fields. A
+// line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
+// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks and of
+// its route, so that two builds can be compared by `diff` but for the times. Fields are planned side by side,
+// as best_real does; the last lines have the quantiles of groups of fields, and how many fields a second of
+// processor time holds.
 
 #include <fmt/format.h>
 
@@ -44,6 +45,8 @@ struct Request {
   bool sweep = false;
   bool with_obstacles = false;
   bool whole = false;
+  bool prove = false;
+  double most_hectares = 1e9;
 };
 
 struct Timed {
@@ -104,10 +107,12 @@ Timed timed(const Field& field, const Request& request) {
   if (request.with_obstacles && field.obstacles.empty()) return {};
   Timed out;
   out.hectares = 1e-4 * area(Polygon{field.outer, {}});
+  if (out.hectares > request.most_hectares) return {};
   out.corners = corners_of(field);
   out.obstacles = field.obstacles.size();
   PlanSettings settings;
   settings.headlands = request.headlands;
+  settings.prove = request.prove;
   if (request.curved) settings.shape = TrackShape::kAuto;
   if (request.sweep) {
     settings.strategy = Strategy::kSweep;
@@ -199,6 +204,8 @@ int run(int argc, char** argv) {
     if (word == "--prices") request.prices = prices_in(argv[i + 1]);
     if (word == "--sweep") request.sweep = std::atoi(argv[i + 1]) != 0;
     if (word == "--whole") request.whole = std::atoi(argv[i + 1]) != 0;
+    if (word == "--prove") request.prove = std::atoi(argv[i + 1]) != 0;
+    if (word == "--most") request.most_hectares = std::atof(argv[i + 1]);
     if (word == "--obstacles") request.with_obstacles = std::atoi(argv[i + 1]) != 0;
   }
   auto fields = request.all ? read_all_real_fields() : read_real_fields();

@@ -169,35 +169,21 @@ Objective objective_in(const ordered_json& json) {
 
 namespace {
 
-constexpr std::array kSettingsKeys = {"like",
-                                      "strategy",
-                                      "end_rule",
-                                      "boundary",
-                                      "headlands",
-                                      "obstacle_headlands",
-                                      "curved",
-                                      "line",
-                                      "avoid",
-                                      "avoid_threshold_m",
-                                      "avoid_room_m",
-                                      "clearance_m",
-                                      "merge_deg",
-                                      "decomposition_deg",
-                                      "short_edge_m",
-                                      "direction_tolerance_deg",
-                                      "cell_direction",
-                                      "tracks",
-                                      "ab_anchor",
-                                      "turns",
-                                      "spacing",
-                                      "turn_room_m",
-                                      "towing_error_m",
-                                      "route",
-                                      "order",
-                                      "headland_time",
-                                      "pass_sequence",
-                                      "start",
-                                      "end",
+constexpr std::array kSettingsKeys = {"like",          "strategy",
+                                      "end_rule",      "boundary",
+                                      "headlands",     "obstacle_headlands",
+                                      "curved",        "line",
+                                      "avoid",         "avoid_threshold_m",
+                                      "avoid_room_m",  "clearance_m",
+                                      "merge_deg",     "decomposition_deg",
+                                      "short_edge_m",  "direction_tolerance_deg",
+                                      "prove",         "cell_direction",
+                                      "tracks",        "ab_anchor",
+                                      "turns",         "spacing",
+                                      "turn_room_m",   "towing_error_m",
+                                      "route",         "order",
+                                      "headland_time", "pass_sequence",
+                                      "start",         "end",
                                       "land"};
 
 }  // namespace
@@ -223,6 +209,7 @@ SettingsInput settings_in(const ordered_json& asked, Defaults defaults) {
   take_number(input, "decomposition_deg", options.decomposition_deg);
   take_number(input, "short_edge_m", options.short_edge_m);
   take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
+  options.prove = input.flag_if("prove").value_or(false);
   take_word(input, "spacing", options.spacing);
   take_number(input, "towing_error_m", options.towing_error_m);
   options.turn_room_m = input.number_if("turn_room_m");

@@ -29,10 +29,26 @@ void add_price_options(CommandOptions& command, PriceOptions& o) {
   command.begin_group("Comparison");
   const Option compare = command.add_flag("--compare", o.compare,
                                           "Also plan the field, and report both plans and the differences.");
-  for (const char* option : {"--strategy", "--direction-tolerance", "--decomposition", "--short-edge",
-                             "--merge", "--cell-direction", "--end-rule", "--boundary", "--avoid",
-                             "--avoid-threshold", "--avoid-room", "--headlands", "--obstacle-headlands",
-                             "--ab", "--guide", "--curved", "--tracks", "--ab-anchor", "--min-length"})
+  for (const char* option : {"--strategy",
+                             "--direction-tolerance",
+                             "--prove",
+                             "--decomposition",
+                             "--short-edge",
+                             "--merge",
+                             "--cell-direction",
+                             "--end-rule",
+                             "--boundary",
+                             "--avoid",
+                             "--avoid-threshold",
+                             "--avoid-room",
+                             "--headlands",
+                             "--obstacle-headlands",
+                             "--ab",
+                             "--guide",
+                             "--curved",
+                             "--tracks",
+                             "--ab-anchor",
+                             "--min-length"})
     command.option(option).needs(compare);
 }
 

@@ -128,6 +128,9 @@ struct PlanSettings {
   /// else `headlands` is the largest of them. Different numbers require TrackConstruction::kParallel.
   std::vector<int> headland_edges{};
   GivenLand given;  ///< not kept in plan files, where Plan says what became of it
+  /// Whether prices on the ground are sought that prove a sharper bound of plans with any division, which
+  /// takes seconds. Not kept in plan files: those that were found are.
+  bool prove = false;
 };
 
 /// The anchor that the settings amount to: never kDefault.
@@ -171,6 +174,16 @@ inline constexpr double kAheadOfLine_m = 0.01;
 /// Less of it there does not count, m²: a tenth of a millimetre beside the swath.
 inline constexpr double kAheadOfLine_m2 = 1e-6;
 
+/// Prices on the ground that prove a bound for plans with any division (docs/bounds.md).
+struct GroundPrices {
+  struct Cell {
+    Ring shape;        ///< convex, local metres
+    double price = 0;  ///< per m² of its land
+  };
+  std::vector<Cell> cells;  ///< next to one another
+  double bound = 0;         ///< no plan of tracks costs less, further subfields not counted
+};
+
 /// What a search proved about the plans it did not make. Where the strategy proves nothing a bound is 0,
 /// which no cost falls below.
 struct Proof {
@@ -178,6 +191,7 @@ struct Proof {
   double one_direction_cost = 0;   ///< cost of the best plan found with the land undivided
   double one_direction_bound = 0;  ///< no plan with the land undivided costs less
   bool cut_short = false;          ///< the search was ended before it was complete
+  GroundPrices prices;             ///< where they were asked for (PlanSettings::prove)
 };
 
 /// What the figures and layers of a plan count: tracks and headland passes compared with all land or, in

@@ -84,6 +84,7 @@ Verdict verify(const Plan& plan) {
   check_swath_overlaps(c, verdict.violations);
   check_headland_tally(c, verdict.violations);
   check_proof(plan, verdict.violations);
+  check_prices(plan, verdict.violations);
   check_front(c, verdict.violations);
   verdict.complete = true;
   return verdict;

@@ -66,6 +66,17 @@ void require_given_land(const PlanSettings& settings) {
         "--tracks paper");
 }
 
+/// Refuses what prices of the land prove nothing about.
+void require_provable(const PlanSettings& settings) {
+  if (settings.turns == TurnPlanning::kRoute)
+    throw bad_input("--prove is about what tracks cost, not whole routes: give --route none as well");
+  if (settings.strategy != Strategy::kBest)
+    throw bad_input("--prove goes with --strategy best, which alone proves anything");
+  if (settings.shape == TrackShape::kCurved || !settings.guide.empty())
+    throw bad_input(
+        "--prove is about plans of straight tracks of any direction: leave out --curved and --line");
+}
+
 }  // namespace
 
 void require_metres(double value, double least, double most, const char* what) {
@@ -93,6 +104,7 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_metres_or_default(settings.avoid_room_m, kAvoidRoom);
   if (settings.tracks == TrackConstruction::kPaper) require_paper_rules(settings);
   require_given_land(settings);
+  if (settings.prove) require_provable(settings);
   constexpr double kFinestDirections_deg = 1e-4;
   require_degrees(settings.direction_tolerance, kFinestDirections_deg, 10, "direction tolerance");
   require_metres(settings.short_edge_m, 0, kFarthest_m, "short edge");

@@ -156,6 +156,10 @@ void check_headland_tally(const Case& c, Violations& out);
 /// No bound exceeds the cost of a known plan: this one, those of the front, and for one direction the best
 /// one found. Bounds, costs and prices are not negative. The bounds themselves are not verified.
 void check_proof(const Plan& plan, Violations& out);
+/// Where prices of the land prove a bound (GroundPrices): cells are convex and lie next to one another, no
+/// price is above that of uncovered land, no piece of any direction and offset, straight or with detours, is
+/// worth more than its turn, and the bound is no more than the land is worth less one turn.
+void check_prices(const Plan& plan, Violations& out);
 /// The plans of the front ascend in overlap, and none is dominated by or equal to another. The cost of each
 /// follows from its figures at the plan's prices, its turns from its number of tracks, and its areas add up
 /// to the land there is. All marks except the knee are on the right plans. O(f²) for f plans.

@@ -32,7 +32,8 @@ inline constexpr const char* kUncovered = "uncovered";
 inline constexpr const char* kHeadlandUnworked = "headland_unworked";
 inline constexpr const char* kDropped = "dropped";
 inline constexpr const char* kEncounters = "encounters";
-inline constexpr const char* kFront = "front";  ///< only where a front was asked for
+inline constexpr const char* kFront = "front";    ///< only where a front was asked for
+inline constexpr const char* kPrices = "prices";  ///< only where a bound by prices of the land was proven
 inline constexpr const char* kMetadata = kMetadataTable;
 inline constexpr const char* kStyles = "layer_styles";  ///< the name QGIS knows
 

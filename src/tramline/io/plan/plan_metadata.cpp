@@ -106,6 +106,7 @@ void each_value_since_whole_figures(PlanOrConst& plan, Visitor&& visit) {
 }
 
 constexpr const char* kCutShort = "proof.cut_short";
+constexpr const char* kPricesBound = "proof.prices_bound";  // only where there are prices of the land
 constexpr const char* kStopRule = "stop_rule";  // only of plans whose stops are ends without a way off
 constexpr const char* kNoWayOff = "no_way_off";
 
@@ -390,6 +391,7 @@ Metadata metadata_of(const Plan& plan) {
   each_value_since_headlands(plan, writer);
   each_value_since_whole_figures(plan, writer);
   writer(kCutShort, plan.proof.cut_short);
+  if (!plan.proof.prices.cells.empty()) writer(kPricesBound, plan.proof.prices.bound);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   if (plan.settings.avoid_room_m >= 0) writer(kAvoidRoom, plan.settings.avoid_room_m);
@@ -437,6 +439,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kAim)) plan.settings.aim = read_aim(reader);
   if (metadata.contains(machine_key(kOperationKey))) plan.machine.rates = read_rates(reader, metadata);
   if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
+  if (metadata.contains(kPricesBound)) reader(kPricesBound, plan.proof.prices.bound);
   complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);

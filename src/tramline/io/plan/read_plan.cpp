@@ -278,6 +278,16 @@ void read_front(Rows& file, PlanFile& out) {
   }
 }
 
+/// Only plans that were asked for a proof by prices of the land have the layer.
+void read_prices(Rows& file, PlanFile& out) {
+  if (!file.has(layers::kPrices)) return;
+  file.each(layers::kPrices, [&](const Row& row) {
+    const Polygon shape = row.polygon();
+    out.plan.proof.prices.cells.push_back({shape.outer, row.number("price")});
+    derive_area(out, row, shape);
+  });
+}
+
 /// What the table says for people and no reader needs, or in other units.
 void derive_of_metadata(PlanFile& out, const Metadata& metadata) {
   for (const auto& [key, value] : metadata_of(out.plan)) {
@@ -328,6 +338,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_dropped(file, out);
   read_encounters(file, out);
   read_front(file, out);
+  read_prices(file, out);
   derive_of_metadata(out, metadata);
   return out;
 }

@@ -175,6 +175,15 @@ void write_front(const Target& target, const Front& front) {
   }
 }
 
+void write_prices(const Target& target, const GroundPrices& prices) {
+  if (prices.cells.empty()) return;
+  Table table(target, layers::kPrices, wkbPolygon, {real("price"), kAreaColumn});
+  for (const GroundPrices::Cell& cell : prices.cells) {
+    const Polygon shape{cell.shape, {}};
+    table.add(target.shapes.polygon(shape), {cell.price, area(shape)});
+  }
+}
+
 Metadata with_remarks(Metadata metadata, const Metadata& remarks) {
   add_remarks(remarks, metadata);
   return metadata;
@@ -200,6 +209,7 @@ void write_plan_rows(const Target& target, const Plan& plan, const Metadata& rem
   write_dropped(target, plan);
   write_encounters(target, plan);
   write_front(target, plan.front);
+  write_prices(target, plan.proof.prices);
   write_metadata_table(target, with_remarks(metadata_of(plan), remarks));
 }
 

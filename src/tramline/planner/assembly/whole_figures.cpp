@@ -63,6 +63,7 @@ Proof whole_proof(const SearchTask& task, const SearchResult& found, const Plan&
   if (!has_headland(task) || found.proof.one_direction_cost == 0) return found.proof;
   const double added = least_by_headland(task);
   Proof out;
+  out.prices = found.proof.prices;
   out.one_direction_cost = undivided_cost(task, found, plan);
   out.one_direction_bound = std::clamp(found.proof.one_direction_bound + added, 0.0, out.one_direction_cost);
   out.bound = std::clamp(found.proof.bound + added, 0.0, plan.cost);

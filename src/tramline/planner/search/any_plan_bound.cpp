@@ -8,6 +8,7 @@
 #include "tramline/avoidance/tolerances.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/strip/strip_fold.h"
+#include "tramline/planner/prove/detour_groups.h"
 
 namespace tramline {
 namespace {
@@ -20,100 +21,6 @@ constexpr double kStray_share = 0.3;
 constexpr int kFewestDirections = 48, kMostDirections = 240;
 /// Offsets of the wide strips in one direction, which overlap each other.
 constexpr int kOverlaps = 4;
-
-/// Corners of a ring where it turns to the outside. A strip meets a polygon in at most one part more.
-int reflex_corners(const Ring& ring) {
-  int sum = 0;
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
-    sum += cross(b - a, c - b) < 0 ? 1 : 0;
-  }
-  return signed_area(ring) < 0 ? static_cast<int>(n) - sum : sum;
-}
-
-/// The terms of detours.
-struct Detouring {
-  double width_m = 1;
-  double arc_m = 0;      ///< radius of the arcs that leave a track and return to it
-  bool drivable = true;  ///< whether nothing of a detour is tighter
-};
-
-/// Obstacles of which one detour may go round several.
-struct DetourGroup {
-  Box box;
-  std::vector<Point> corners{};
-  int most_detours = 0;  ///< of one piece
-
-  double diameter_m() const { return std::hypot(box.width(), box.height()); }
-};
-
-/// The largest distance of a detour from its track round what is so wide across it. What passes as a circle
-/// reaches 1 % beyond its corners.
-double rise_m(double across_m, const Detouring& terms) { return 1.02 * across_m + terms.width_m; }
-
-/// No detour begins farther along its track from what it goes round: it leaves the track along an arc, or
-/// along a line that is inclined by 75 degrees between two arcs.
-double reach_m(double across_m, const Detouring& terms) {
-  constexpr double kFoot = 0.27;  // more than the cotangent of 75 degrees
-  return terms.width_m + 2 * terms.arc_m + kFoot * rise_m(across_m, terms);
-}
-
-/// By how much the detour is longer than its rows, at most. Where it has risen by f of h and turned by φ, f
-/// and h − f are at least r(1 − cos φ): φ is at most acos(1 − h/2r). It is longer by ∫ tan(φ/2) df, there and
-/// back.
-double longer_m(double rise_m, const Detouring& terms) {
-  const double steepest =
-      terms.drivable && rise_m < 2 * terms.arc_m ? std::sqrt(rise_m / (4 * terms.arc_m - rise_m)) : 1;
-  return 2 * rise_m * steepest;
-}
-
-double distance_of(const Box& a, const Box& b) {
-  return std::hypot(std::max({0.0, a.min_x - b.max_x, b.min_x - a.max_x}),
-                    std::max({0.0, a.min_y - b.max_y, b.min_y - a.max_y}));
-}
-
-/// Whether the border of the ground comes between two boxes, so that a track from one to the other may be
-/// interrupted there and one detour go round both.
-bool are_parted(const Box& a, const Box& b, double reach, const Region& ground) {
-  Box both = a;
-  both.extend(b);
-  both = both.grown(reach);
-  for (const Polygon& part : ground) {
-    Point from = part.outer.back();
-    for (const Point to : part.outer) {
-      if (intersects(bounds(from, to), both)) return true;
-      from = to;
-    }
-  }
-  return false;
-}
-
-/// A detour that would run into a further obstacle goes round that one too, and two that would meet are one:
-/// obstacles nearer to one another than detours reach are one group, and so are those between which the
-/// ground ends.
-std::vector<DetourGroup> detour_groups(const std::vector<Hazard>& hazards, const Region& ground,
-                                       const Detouring& terms) {
-  std::vector<DetourGroup> out;
-  for (const Hazard& hazard : hazards) {
-    DetourGroup one{bounds(hazard.shape), hazard.shape.outer, 1 + reflex_corners(hazard.shape.outer)};
-    for (std::size_t i = 0; i < out.size();) {
-      const double reach = reach_m(one.diameter_m(), terms) + reach_m(out[i].diameter_m(), terms);
-      if (distance_of(one.box, out[i].box) > reach + 2 * terms.width_m &&
-          !are_parted(one.box, out[i].box, terms.width_m, ground)) {
-        ++i;
-        continue;
-      }
-      one.box.extend(out[i].box);
-      one.corners.insert(one.corners.end(), out[i].corners.begin(), out[i].corners.end());
-      one.most_detours += out[i].most_detours;
-      out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;
-    }
-    out.push_back(std::move(one));
-  }
-  return out;
-}
 
 /// A stretch of a wide strip in which one piece may lie, and the land, in metres of full swath, that a piece
 /// there works at most.
@@ -140,9 +47,15 @@ class WideStrips {
     const Region turned = frame_.to_track(ground);
     centre_ = frame_.to_track(pivot_);
     const Point centre = centre_;
+    std::vector<GroupZone> zones;
+    for (const DetourGroup& group : groups_) {
+      Box box;
+      for (const Point corner : group.corners) box.extend(frame_.to_track(corner));
+      zones.push_back(detour_zone(group, box, terms_, stray_m_));
+    }
+    reach_for_others(zones);
     turned_groups_.clear();
-    for (const DetourGroup& group : groups_) turned_groups_.push_back(turned_group(group));
-    reach_for_others();
+    for (const GroupZone& zone : zones) turned_groups_.push_back({zone});
     const Box reach = bounds(turned);
     first_ = static_cast<int>(std::floor((reach.min_x - centre.x - width_m_ - stray_m_) / step_m_)) - 1;
     const int last = static_cast<int>(std::ceil((reach.max_x - centre.x + stray_m_) / step_m_)) + 1;
@@ -163,9 +76,9 @@ class WideStrips {
       }
     }
     for (TurnedGroup& group : turned_groups_) {
-      Box meeting = group.land;
-      meeting.min_x = group.box.min_x;
-      meeting.max_x = group.box.max_x;
+      Box meeting = group.zone.land;
+      meeting.min_x = group.zone.box.min_x;
+      meeting.max_x = group.zone.box.max_x;
       group.longest_m = longest(meeting);
     }
   }
@@ -177,40 +90,15 @@ class WideStrips {
     double out = longest(cell);
     // Those that work it with a detour lie elsewhere.
     for (const TurnedGroup& group : turned_groups_)
-      if (intersects(cell, group.land)) out = std::max(out, group.longest_m);
+      if (intersects(cell, group.zone.land)) out = std::max(out, group.longest_m);
     return out;
   }
 
  private:
   struct TurnedGroup {
-    Box box;   ///< of the obstacles, turned either way
-    Box land;  ///< that their detours work
-    double longer_m = 0;
+    GroupZone zone;
     double longest_m = 0;  ///< run of a piece that may have a detour round them
   };
-
-  TurnedGroup turned_group(const DetourGroup& group) const {
-    TurnedGroup out;
-    for (const Point corner : group.corners) out.box.extend(frame_.to_track(corner));
-    out.box = out.box.grown(stray_m_);
-    const double rise = rise_m(out.box.width(), terms_), along = reach_m(out.box.width(), terms_) + stray_m_;
-    const double across = width_m_ + 0.02 * group.diameter_m() + 2 * stray_m_;
-    out.land = {out.box.min_x - across, out.box.min_y - along, out.box.max_x + across, out.box.max_y + along};
-    // None of its detours is steeper than 75 degrees all the way up, and they do not overlap along the track.
-    constexpr double kSteepest = 4;
-    out.longer_m = std::min(group.most_detours * longer_m(rise, terms_), kSteepest * out.land.height());
-    return out;
-  }
-
-  /// Where a track leaves its subfield between two groups, one detour may go round both.
-  void reach_for_others() {
-    for (TurnedGroup& a : turned_groups_)
-      for (const TurnedGroup& b : turned_groups_) {
-        if (a.land.min_x > b.land.max_x || b.land.min_x > a.land.max_x) continue;
-        a.land.min_y = std::min(a.land.min_y, b.box.min_y);
-        a.land.max_y = std::max(a.land.max_y, b.box.max_y);
-      }
-  }
 
   /// The longest run of swaths that may meet the box.
   double longest(const Box& box) const {
@@ -230,7 +118,7 @@ class WideStrips {
   bool bridged(Interval gap, double left) const {
     const Box rows{left, gap.from, left + wide_m_, gap.to};
     return std::any_of(turned_groups_.begin(), turned_groups_.end(),
-                       [&](const TurnedGroup& group) { return intersects(group.box, rows); });
+                       [&](const TurnedGroup& group) { return intersects(group.zone.box, rows); });
   }
 
   void add_runs(const StripProfile& profile, double left, std::vector<Run>& out) const {
@@ -262,7 +150,7 @@ class WideStrips {
   void add_detours(double left, Run& run) const {
     bool any = false;
     double longer_m = 0;
-    for (const TurnedGroup& group : turned_groups_) {
+    for (const auto& [group, longest] : turned_groups_) {
       if (group.box.min_x > left + wide_m_ || group.box.max_x < left) continue;
       if (group.land.min_y > run.to || group.land.max_y < run.from) continue;
       any = true;

@@ -7,6 +7,7 @@
 
 #include "tramline/decomposition/sweep_directions.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/prove/ground_prices.h"
 #include "tramline/planner/search/any_plan_bound.h"
 #include "tramline/planner/search/split_and_merge.h"
 #include "tramline/planner/search/sweep_search.h"
@@ -77,9 +78,7 @@ class BestSearch {
       out_.undivided = std::move(*undivided_);
     out_.proof.one_direction_bound =
         std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
-    if (context_.wants_bound())
-      out_.proof.bound =
-          std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_) + task_.objective.subfield);
+    if (context_.wants_bound()) prove_any_plan();
     const std::size_t directions = swept_ ? swept_->size() : sweep_directions(task_.field).size();
     out_.directions_tried = static_cast<int>(directions) + boxes_;
     out_.best = std::move(best_);
@@ -92,6 +91,17 @@ class BestSearch {
   const std::vector<SweptCandidate>& swept() {
     if (!swept_) swept_ = swept_candidates(task_, context_);
     return *swept_;
+  }
+
+  /// A plan that divides the land has a further subfield at least.
+  void prove_any_plan() {
+    double least = least_cost_of_any_plan(task_);
+    if (task_.settings.prove && best_.works() && !context_.wants_layout_only()) {
+      out_.proof.prices = proven_prices(task_, best_.subfields.front().direction, context_);
+      const double given_up_m2 = std::max(0.0, task_.body_m2 - area(task_.ground.plannable));
+      least = std::max(least, out_.proof.prices.bound + task_.objective.uncovered * given_up_m2);
+    }
+    out_.proof.bound = std::min(out_.proof.one_direction_bound, least + task_.objective.subfield);
   }
 
   void try_swept() {
