@@ -9,10 +9,10 @@
 // thresholds of his comparisons. --whole 1: the plan that the program makes without further options, of which
 // the cost is that of the whole route, in euros. --prove 1: prices on the ground. --most: no larger fields. A
 // line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
-// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks and of
-// its route, so that two builds can be compared by `diff` but for the times. Fields are planned side by side,
-// as best_real does; the last lines have the quantiles of groups of fields, and how many fields a second of
-// processor time holds.
+// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks and
+// of its route, so that two builds can be compared by `diff` but for the times. Fields are planned side by
+// side, as best_real does; the last lines have the quantiles of groups of fields, and how many fields a
+// second of processor time holds.
 
 #include <fmt/format.h>
 

@@ -255,7 +255,9 @@ enum class Decides { kCostOfTracks, kWholeCost };
 Plan or_behind_passes_all_round(Plan plan, const PlanningProblem& problem, const Plan& layout,
                                 const SearchContext& context) {
   constexpr int kMostPasses = 6;
-  const auto price = [](const Plan& of) { return compared_price(alternative_of(Alternative::kSearched, of)); };
+  const auto price = [](const Plan& of) {
+    return compared_price(alternative_of(Alternative::kSearched, of));
+  };
   PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), plan.headland.obstacle_passes};
   passes.obstacles.resize(problem.field.obstacles.size(), 0);
   double least = price(plan), before = kAnyCost;
@@ -325,7 +327,8 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
 }
 
 ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
-  const bool whole = problem.settings.aim == Aim::kWholeCost && problem.settings.turns == TurnPlanning::kRoute;
+  const bool whole =
+      problem.settings.aim == Aim::kWholeCost && problem.settings.turns == TurnPlanning::kRoute;
   const Decides decides = whole ? Decides::kWholeCost : Decides::kCostOfTracks;
   if (!compares_routes(problem.settings)) problem.settings.aim = Aim::kCost;
   ExplainedPlan out;

@@ -136,7 +136,7 @@ TEST(CheapestRoute, DrivesALongFieldLengthwise) {
   EXPECT_EQ(sums_of(plan.route).without_room, 0U);
 }
 
-// A line that was given leaves nothing to compare: the plan is the one of least cost, and says so.
+// Tracks along a line that was given are not compared with others, and the plan says so.
 TEST(CheapestRoute, AlongAGivenLineTheAimIsTheCostOfTracks) {
   PlanSettings settings = automatic_headlands();
   settings.aim = Aim::kWholeCost;
@@ -144,6 +144,45 @@ TEST(CheapestRoute, AlongAGivenLineTheAimIsTheCostOfTracks) {
   const ExplainedPlan plan = plan_and_explain(bare_field(200, 110), {}, {}, settings, 1);
   EXPECT_EQ(plan.plan.settings.aim, Aim::kCost);
   EXPECT_TRUE(plan.routes.empty());
+}
+
+/// Beside a line along y = 50 tracks lie by whole widths and a half.
+void expect_beside(const Plan& plan, double y) {
+  for (const TrackPiece& piece : plan.pieces) {
+    const double widths = (piece.start.y - y) / plan.machine.width_m - 0.5;
+    EXPECT_NEAR(widths, std::round(widths), 1e-6);
+    EXPECT_NEAR(piece.end.y, piece.start.y, 1e-6);
+  }
+}
+
+// A line says where tracks lie; they go on beyond its ends, whatever headlands their turns need.
+TEST(CheapestRoute, TracksGoOnBeyondTheEndsOfALine) {
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  settings.guide = {{90, 50}, {110, 50}};
+  const Field field = bare_field(200, 110);
+  const Plan plan = plan_field(field, {}, {}, settings, 1);
+  ASSERT_FALSE(plan.pieces.empty());
+  expect_beside(plan, 50);
+  EXPECT_LT(plan.tally.uncovered_m2 + plan.headland.uncovered_m2, 0.05 * area_m2(field));
+}
+
+// An edit has the passes of the plan before, and its line.
+TEST(PlanEdited, KeepsHeadlandsAndFollowsTheLine) {
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  const Field field = bare_field(200, 110);
+  const Plan before = plan_field(field, {}, {}, settings, 1);
+  settings.guide = {{20, 50}, {60, 50}};
+  const Plan edited = plan_edited(before, field, {}, {}, settings, 1);
+  EXPECT_EQ(edited.headland.passes, before.headland.passes);
+  expect_beside(edited, 50);
+  EXPECT_TRUE(edited.route.planned());
+  EXPECT_EQ(edited.proof.bound, 0) << "nothing was searched for";
+
+  Field other = field;
+  other.outer.push_back({-5, 50});
+  EXPECT_THROW(plan_edited(before, other, {}, {}, settings, 1), Error);
 }
 
 TEST(CheapestRoute, IsTheSameForAnyNumberOfThreads) {

@@ -81,8 +81,18 @@ std::optional<double> origin_in(const Plan& layout, const Subfield& part) {
   const TrackFrame frame(part.direction);
   for (const TrackPiece& piece : layout.pieces)
     if (piece.curve.empty() && layout.subfields[piece.subfield].direction == part.direction)
-      return frame.to_track(piece.start).y - 0.5 * layout.machine.width_m;
+      return frame.to_track(piece.start).x - 0.5 * layout.machine.width_m;
   return std::nullopt;
+}
+
+/// Whether straight tracks follow the reference: a line that was given, of any length.
+bool is_given_line(const Path& reference) { return reference.size() == 1 && reference.front().straight(); }
+
+LinedSubfield along_given_line(Subfield part) {
+  const Path line = std::exchange(part.reference, {});
+  part.direction = Direction::along(line.front().from, line.front().to);
+  const double origin_m = TrackFrame(part.direction).to_track(line.front().from).x;
+  return {std::move(part), origin_m};
 }
 
 }  // namespace
@@ -93,6 +103,10 @@ SearchResult relaid(const PlanningProblem& problem, const PreparedField& prepare
   const SearchTask task(problem, prepared);
   std::vector<LinedSubfield> lined;
   for (Subfield& part : parts_of(prepared.ground.plannable, layout.subfields)) {
+    if (is_given_line(part.reference)) {
+      lined.push_back(along_given_line(std::move(part)));
+      continue;
+    }
     if (!part.reference.empty()) {
       lined.push_back({std::move(part), 0});
       continue;
