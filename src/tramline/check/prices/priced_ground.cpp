@@ -1,5 +1,7 @@
 #include "tramline/check/prices/priced_ground.h"
 
+#include "tramline/check/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,7 +33,7 @@ void PricedGround::each_within(const Box& box, const Visit& visit) const {
 PricedGround::PricedGround(const PricedLand& land, double reach_m, double pixel_m)
     : pixel_m_(pixel_m),
       // A pixel counts where its middle is so near, for its corners are nearer still.
-      within_m_(reach_m + pixel_m * std::numbers::sqrt2 / 2 + 1e-6),
+      within_m_(reach_m + pixel_m * std::numbers::sqrt2 / 2 + kTouching_m),
       outside_(-land.overlap) {
   Box box = bounds(land.land);
   for (const Polygon& polygon : land.passable) box.extend(bounds(polygon.outer));

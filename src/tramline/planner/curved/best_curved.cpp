@@ -143,7 +143,8 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   // twice as many that cost least if stops are cheap, there are as many besides those that cost least.
   static_assert(kMoved <= kDetoursTried);
   const bool detours = asks_for_detours(task);
-  BestCosts best_few(detours ? kDetoursTried : kMoved, kAnyCost, detours ? 2 * kDetoursTried : 0);
+  BestCosts best_few(detours ? kDetoursTried : kMoved, detours ? kAnyCost : no_more_than,
+                     detours ? 2 * kDetoursTried : 0);
   try_all(task, part, best_few, all, context);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;

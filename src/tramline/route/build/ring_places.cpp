@@ -1,6 +1,7 @@
 #include "tramline/route/build/ring_places.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,7 @@ double crude_s(const Pose& from, const Pose& to, const LeastSeconds& least) {
 }  // namespace
 
 RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
+  assert(is_closed(pass));
   RingPlaces out;
   const double length_m = length(pass.path);
   const double places = std::clamp(std::ceil(length_m - kRounding_m), 1.0, kMostPlaces);

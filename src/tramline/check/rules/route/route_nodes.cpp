@@ -1,6 +1,7 @@
 #include "tramline/check/rules/route/route_nodes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -123,7 +124,10 @@ double least_distance_m(const RouteNode& a, const RouteNode& b) {
 
 }  // namespace
 
-RouteNodes nodes_of_route(const Plan& plan) { return Nodes(plan).run(); }
+RouteNodes nodes_of_route(const Plan& plan) {
+  assert(plan.route.planned() && !plan.route.legs.front().path.empty());
+  return Nodes(plan).run();
+}
 
 LeastWays::LeastWays(const Machine& machine)
     : turning_(machine.turning),
