@@ -127,8 +127,7 @@ std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve
   return tried;
 }
 
-/// The best curve for one part of the ground; nullopt where no track of any fits, or where, without obstacles
-/// to go round, all are certain to cost more than `no_more_than`.
+/// The best curve for one part of the ground; nullopt where no track of any fits.
 std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
                                   const std::vector<Reference>& references, const SearchContext& context,
                                   double no_more_than) {
@@ -143,8 +142,7 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   // twice as many that cost least if stops are cheap, there are as many besides those that cost least.
   static_assert(kMoved <= kDetoursTried);
   const bool detours = asks_for_detours(task);
-  BestCosts best_few(detours ? kDetoursTried : kMoved, detours ? kAnyCost : no_more_than,
-                     detours ? 2 * kDetoursTried : 0);
+  BestCosts best_few(detours ? kDetoursTried : kMoved, kAnyCost, detours ? 2 * kDetoursTried : 0);
   try_all(task, part, best_few, all, context);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;

@@ -20,8 +20,9 @@ struct BestCurve {
 /// cheapest families, and in those that would be cheapest if a stop cost no more than a turn. nullopt where
 /// no chain is curved, or none yields a track. Deterministic for any number of threads. O(parts · chains)
 /// families. With Zhou's construction the chosen line needs ends, so chains all the way round are left out,
-/// and detours are not searched for. On land in one piece without obstacles families are abandoned as soon as
-/// they are certain to cost more than `no_more_than`; nullopt where all are. What is found may cost more yet.
+/// and detours are not searched for. On land in one piece without obstacles families moved sideways are
+/// abandoned as soon as they are certain to cost more than `no_more_than`. What is found may cost more: its
+/// route may cost less all the same.
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context,
                                      double no_more_than = kAnyCost);
 
