@@ -52,7 +52,8 @@ TEST(BestCurve, IsTheSameWithALimitThatItKeeps) {
   ASSERT_TRUE(bounded);
   EXPECT_EQ(bounded->candidate.cost(), cost);
   const auto beyond = best_curved(quarter.task(), SearchContext(1), 0.5);
-  if (beyond) EXPECT_GE(beyond->candidate.cost(), cost);
+  ASSERT_TRUE(beyond);
+  EXPECT_GE(beyond->candidate.cost(), cost);
 }
 
 // Three parts of a bend 24 m wide become one again, driven in four tracks round it. Their three turns cost 3;
