@@ -82,7 +82,7 @@ class PlanProperties : public ::testing::Test {
 
 /// The other road: the useful area by polygon booleans.
 TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
-  for_random_fields(100, [](const Field& field, const Request& request) {
+  for_random_fields(80, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-6 * area(Polygon{field.outer, {}});
@@ -181,7 +181,7 @@ TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
 
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
-  for_random_fields(100, [](const Field& field, const Request& request) {
+  for_random_fields(80, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);
@@ -263,7 +263,7 @@ TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
 /// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
 /// road on the areas is the same.
 TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
-  for_random_fields(80, [](const Field& field, const Request& request) {
+  for_random_fields(60, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
     const Polygon waterway{
