@@ -165,11 +165,10 @@ void add_search_options(CommandOptions& command, PlanOptions& o) {
                   "degrees.")
       .takes("DEG")
       .shows_default("0.01");
-  command.add_flag(
-      "--prove", o.prove,
-      "Prove how cheap no plan is by prices of the land, which check verifies: takes seconds to "
-      "minutes. With --strategy best, straight tracks and --route none; where tracks would go round "
-      "obstacles, with --avoid cut.");
+  command.add_flag("--prove", o.prove,
+                   "Prove how cheap no plan is by prices of the land, which check verifies: takes seconds to "
+                   "minutes. With --strategy best, straight tracks and --route none, on fields without "
+                   "obstacles.");
   command
       .add_option("--decomposition", o.decomposition_deg,
                   "Split the field at corners whose inside angle is larger than this, in degrees.")

@@ -61,15 +61,11 @@ void settle_headland_edges(PlanSettings& settings) {
 }
 
 /// Prices of the land would have to allow for all that detours may work, and prove next to nothing.
-void require_no_detours(const Field& field, const PlanSettings& settings) {
-  const bool in_the_way = std::any_of(field.obstacles.begin(), field.obstacles.end(),
-                                      [](const Obstacle& o) { return o.kind == ObstacleKind::kObstacle; });
-  if (in_the_way && settings.avoid != Avoidance::kCut)
-    throw bad_input(
-        fmt::format("--prove is not for tracks that go round obstacles, of which field '{}' has some: give "
-                    "--avoid cut as "
-                    "well, or leave it out",
-                    field.id));
+void require_no_obstacles(const Field& field) {
+  if (std::any_of(field.obstacles.begin(), field.obstacles.end(),
+                  [](const Obstacle& o) { return o.kind == ObstacleKind::kObstacle; }))
+    throw bad_input(fmt::format(
+        "--prove is not for fields with obstacles, and field '{}' has some: leave it out", field.id));
 }
 
 }  // namespace
@@ -82,7 +78,7 @@ PlanningProblem planning_problem(const Field& field, const Machine& machine, con
   validate_request(machine, objective, out.settings);
   require_line_to_anchor(settings);
   require_feasible_size(field, machine);
-  if (out.settings.prove) require_no_detours(field, out.settings);
+  if (out.settings.prove) require_no_obstacles(field);
   out.settings.ab_anchor = anchor_of(settings);
   if (out.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
   return out;

@@ -21,8 +21,9 @@ class LeastSeconds {
   double forward(const Pose& left, const Pose& entered) const;
   /// As between(), but at most as large, in a tenth of the time: along the straight line.
   double crude(const Pose& left, const Pose& entered) const;
-  /// The same with other distances straight on at both ends than the machine's, m; of what takes `known_s` or
-  /// longer any time from that on that is no longer.
+  /// The same with other distances straight on at both ends than the machine's, m. Where the least time is
+  /// `known_s` or more, the answer may be less than it, but is `known_s` at least: so much need not be
+  /// computed.
   double between(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
   double lift_m() const { return turning_.lift_m; }
   double lower_m() const { return turning_.lower_m; }
