@@ -78,6 +78,13 @@ order::Neighbours KnownCosts::neighbours() const {
       [this](std::size_t a, std::size_t b) { return between(a, b); });
 }
 
+void KnownCosts::settle_start(order::End entered) {
+  if (!to_first_ || ways_to_first_.contains(entered)) return;
+  Way way = to_first_(entered);
+  at_start_[entered] = cost_of(way);
+  ways_to_first_.emplace(entered, std::move(way));
+}
+
 const Way& KnownCosts::way(order::End left, order::End entered) {
   assert(order::line_of(left) != order::line_of(entered));
   const auto found = ways_.find(key(left, entered));

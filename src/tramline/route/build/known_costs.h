@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "tramline/route/build/least_seconds.h"
@@ -42,6 +44,13 @@ class KnownCosts final : public order::EndCosts {
   /// What the way to a line costs that the route begins with, and that from the line that it ends with, by
   /// the end entered or left; 0 until set.
   void set_start(order::End entered, double cost_s) { at_start_[entered] = cost_s; }
+  /// Finds the way to the line that the route begins with.
+  using WayToFirst = std::function<Way(order::End entered)>;
+  void set_way_to_first(WayToFirst find) { to_first_ = std::move(find); }
+  /// Looks for it, once for each end: what it costs is known from then on. Nothing where none leads there.
+  void settle_start(order::End entered);
+  /// Precondition: settled, and a way leads there.
+  const Way& way_to_first(order::End entered) const { return ways_to_first_.at(entered); }
   void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
 
  private:
@@ -61,6 +70,8 @@ class KnownCosts final : public order::EndCosts {
   std::vector<double> at_start_;
   std::vector<double> at_finish_;
   std::unordered_map<std::uint64_t, Way> ways_;
+  WayToFirst to_first_{};
+  std::unordered_map<order::End, Way> ways_to_first_{};
   mutable std::unordered_map<std::uint64_t, double> between_;
 };
 

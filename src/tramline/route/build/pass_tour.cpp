@@ -11,8 +11,10 @@ namespace {
 
 /// Of the entries of the nearest passes so many are tried for room, the quickest first.
 constexpr std::size_t kMostTried = 120;
-/// Where none of them has direct room, so many are looked for along the lines of the roadmap.
+/// Where none of them has direct room, so many are looked for along the lines of the roadmap; where these
+/// have none either, so many of every pass and sense.
 constexpr std::size_t kMostSearched = 12;
+constexpr std::size_t kSearchedOfEach = 8;
 /// Entries of a closed pass are so far apart, as a share of the radius.
 constexpr double kEntrySpacing_radii = 0.5;
 constexpr double kLeastEntrySpacing_m = 2;
@@ -98,7 +100,7 @@ class PassTour {
       out.push_back(left.empty() ? first() : next(left));
       const WorkedPass& worked = out.back();
       done_[worked.pass] = true;
-      left = axle(worked.pass, worked.entry);
+      left = driven_forward(left, worked.before, axle(worked.pass, worked.entry));
     }
     return out;
   }
@@ -154,11 +156,31 @@ class PassTour {
   }
 
   WorkedPass by_search(const SteeredPath& left, NearestChoices& all) const {
+    std::vector<Choice> nearest;
+    for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i) nearest.push_back(all.at(i));
+    WorkedPass out = to_any(left, nearest);
+    if (out.before.has_room()) return out;
+    WorkedPass farther = to_any(left, all_round());
+    return farther.before.has_room() ? farther : out;
+  }
+
+  /// Entries of every pass whose turn it is, evenly spread.
+  std::vector<Choice> all_round() const {
+    std::vector<Choice> out;
+    for (std::size_t pass = 0; pass < done_.size(); ++pass) {
+      if (done_[pass] || !has_its_turn(pass)) continue;
+      const std::size_t step = std::max<std::size_t>(1, entries_[pass].size() / (2 * kSearchedOfEach));
+      for (std::size_t i = 0; i < entries_[pass].size(); i += step)
+        out.push_back({pass, &entries_[pass][i], 0});
+    }
+    return out;
+  }
+
+  WorkedPass to_any(const SteeredPath& left, const std::vector<Choice>& choices) const {
     std::vector<SteeredPath> entered;
-    for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i)
-      entered.push_back(axle(all.at(i).pass, *all.at(i).entry));
+    for (const Choice& choice : choices) entered.push_back(axle(choice.pass, *choice.entry));
     Connector::WayToOne found = connector_.to_any(left, entered);
-    const Choice& choice = all.at(found.chosen);
+    const Choice& choice = choices[found.chosen];
     return {choice.pass, *choice.entry, std::move(found.way)};
   }
 

@@ -83,11 +83,27 @@ class RoutePlanner {
   }
 
   /// The way from where the route is, or from its gate, to the beginning of a work.
-  void add_way_to(const SteeredPath& entered) {
-    if (!left_.empty())
-      legs_.add(connector_.between(left_, entered));
-    else if (out_.start)
-      legs_.add(connector_.from_gate(*out_.start, entered));
+  Way way_to(const SteeredPath& entered) const {
+    if (!left_.empty()) return connector_.between(left_, entered);
+    return out_.start ? connector_.from_gate(*out_.start, entered) : Way{};
+  }
+
+  Way way_to_first(order::End entered, const KnownCosts& costs) const {
+    return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
+  }
+
+  /// The way that was found between two works, or where that has no room one that backs along the way that
+  /// led to the first, which was not known before.
+  Way way_on(const Way& found, const SteeredPath& entered) const {
+    if (found.has_room()) return found;
+    Way other = connector_.between(left_, entered);
+    return other.has_room() ? other : found;
+  }
+
+  /// Goes a way to a work and over it.
+  void go(const Way& way, const SteeredPath& work) {
+    if (!way.path.empty()) legs_.add(way);
+    left_ = driven_forward(left_, way, work);
   }
 
   /// Those round the outside first where passes come first, and last where they come last: the others lie
@@ -113,13 +129,9 @@ class RoutePlanner {
         pass_tour(task_.headland, passes, task_.settings.route.sequence, left_, connector_, least_);
     for (const WorkedPass& worked : tour) {
       const HeadlandPass& pass = task_.headland.passes[worked.pass];
-      SteeredPath axle = axle_path(pass, worked.entry, turning_);
-      if (!worked.before.path.empty())
-        legs_.add(worked.before);
-      else
-        add_way_to(axle);
+      const SteeredPath axle = axle_path(pass, worked.entry, turning_);
+      go(worked.before.path.empty() ? way_to(axle) : worked.before, axle);
       legs_.add(pass, worked.pass, worked.entry);
-      left_ = std::move(axle);
     }
   }
 
@@ -138,19 +150,19 @@ class RoutePlanner {
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
-      if (i > 0)
-        legs_.add(tour.ways[i - 1]);
-      else
-        add_way_to(axle);
+      go(i > 0 ? way_on(tour.ways[i - 1], axle) : way_to_first(entered, costs), axle);
       const std::size_t pass = passes[order::line_of(entered)];
       const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
       legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
-      left_ = axle;
     }
   }
 
   /// What the way to the first line and that from the last one cost at least, by their ends.
   void set_ends(const std::vector<RouteLine>& lines, Behind behind, KnownCosts& costs) const {
+    if (!left_.empty() || out_.start)
+      costs.set_way_to_first([&](order::End entered) {
+        return way_to(lines[order::line_of(entered)].entered_by(entered).first);
+      });
     for (order::End end = 0; end < 2 * lines.size(); ++end) {
       const RouteLine& line = lines[order::line_of(end)];
       if (!left_.empty())
@@ -176,14 +188,12 @@ class RoutePlanner {
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const RouteLine& line = route_lines_[order::line_of(entered)];
-      if (i > 0)
-        legs_.add(tour.ways[i - 1]);
-      else
-        add_way_to(line.entered_by(entered).first);
+      const DrivenSense& sense = line.entered_by(entered);
+      go(i > 0 ? way_on(tour.ways[i - 1], sense.first) : way_to_first(entered, costs), sense.first);
       const order::WorkedLine& worked = lines_[order::line_of(entered)];
       legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece);
+      if (worked.size() > 1) left_ = sense.last;
       piece += worked.size();
-      left_ = line.entered_by(entered).last;
     }
     out_.tour = tour.tour;
   }
@@ -197,7 +207,7 @@ class RoutePlanner {
   LeastSeconds least_;
   LegList legs_;
   std::vector<RouteLine> route_lines_;
-  SteeredPath left_;  ///< the axle's way over the work that the route has come to; empty at its beginning
+  SteeredPath left_;  ///< what was driven forward to the end of the work so far; empty at the beginning
   PlannedRoute out_;
 };
 

@@ -51,6 +51,8 @@ const Tour& cheapest(const std::vector<Tour>& tours, const KnownCosts& costs) {
 
 TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
   Tour first = tour, second = order::backwards(tour);
+  costs.settle_start(first.front());
+  costs.settle_start(second.front());
   if (senses == Senses::kCostTheSame && at_ends(second, costs) < at_ends(first, costs))
     std::swap(first, second);
   TrackTour there = in_order(first, costs);
@@ -69,6 +71,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
   for (int round = 0; round < kMostRounds; ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
     in_order(tour, costs);
+    costs.settle_start(tour.front());
     settled.push_back(tour);
     if (order::connection_s(tour, costs) <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
     tour = found_order(costs, neighbours, settled, order::Effort::kAgain);

@@ -16,6 +16,8 @@ namespace {
 
 /// The machine backs out of a dead end by one of these, in radii or, where that is more, half widths.
 constexpr std::array kBackSteps = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
+/// Where that leads nowhere it backs farther, by so much more each time and up to so much.
+constexpr double kFarBackStep = 2.0, kFarthestBack = 60.0;
 /// At a gate the machine may point anywhere; so many headings are tried.
 constexpr int kGateHeadings = 16;
 
@@ -94,36 +96,40 @@ WayEnd Connector::straight_in(const Pose& start) const {
   return {before, straight(before, turning.lower_m), turning.lower_m / turning.turning_speed_mps};
 }
 
-std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
-  const Machine& machine = ground_.machine();
-  const Turning& turning = machine.turning;
+std::vector<double> Connector::backed_m(double length_m, Backing backing) const {
+  const double step_m = step_back_m(ground_.machine());
+  std::vector<double> out;
+  const auto add = [&](double steps) {
+    if (out.empty() || out.back() < length_m) out.push_back(std::min(steps * step_m, length_m));
+  };
+  for (const double steps : kBackSteps) add(steps);
+  if (backing == Backing::kFar)
+    for (double steps = kBackSteps.back() + kFarBackStep; steps <= kFarthestBack; steps += kFarBackStep)
+      add(steps);
+  return out;
+}
+
+std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing) const {
   std::vector<WayEnd> out{straight_out(end_of(left))};
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
   if (!ground_.can_follow(left)) return out;
-  for (const double steps : kBackSteps) {
-    const double back_m = std::min(steps * step_back_m(machine), length_m);
+  for (const double back_m : backed_m(length_m, backing)) {
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
     if (!ground_.has_room_along(back)) break;  // swaths may lead over a soft edge, idle machines do not
-    out.push_back({end_of(back), back, backing_seconds(back_m, turning)});
-    if (back_m >= length_m) break;
+    out.push_back({end_of(back), back, backing_seconds(back_m, ground_.machine().turning)});
   }
   return out;
 }
 
-std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
-  const Machine& machine = ground_.machine();
-  const Turning& turning = machine.turning;
+std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backing) const {
   std::vector<WayEnd> out{straight_in(entered.front().start)};
   if (ground_.outline().tows()) return out;
-  const double length_m = length(entered);
   if (!ground_.can_follow(entered)) return out;
-  for (const double steps : kBackSteps) {
-    const double back_m = std::min(steps * step_back_m(machine), length_m);
+  for (const double back_m : backed_m(length(entered), backing)) {
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
     if (!ground_.has_room_along(back)) break;
-    out.push_back({back.front().start, back, backing_seconds(back_m, turning)});
-    if (back_m >= length_m) break;
+    out.push_back({back.front().start, back, backing_seconds(back_m, ground_.machine().turning)});
   }
   return out;
 }
@@ -172,41 +178,58 @@ bool Connector::leads_off(const Pose& pose) const {
                              [&](const SteeredPath& way) { return ground_.has_room(way); });
 }
 
-std::optional<Connector::WayToOne> Connector::without_or_with_backing(
-    const std::vector<WayEnd>& begins, const std::vector<std::vector<WayEnd>>& ends) const {
-  const Turning& turning = ground_.machine().turning;
-  std::vector<WayEnd> all_ends, straight_ends;
-  std::vector<std::size_t> of_all, of_straight;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (const WayEnd& end : ends[i]) {
-      all_ends.push_back(end);
-      of_all.push_back(i);
+Connector::Ends Connector::ends_of(const std::vector<SteeredPath>& entered, Backing backing) const {
+  Ends out;
+  for (std::size_t i = 0; i < entered.size(); ++i)
+    for (WayEnd& end : ways_in(entered[i], backing)) {
+      out.ends.push_back(std::move(end));
+      out.of.push_back(i);
     }
-    if (!leads_off(turned_back(ends[i].front().pose))) continue;
-    straight_ends.push_back(ends[i].front());
-    of_straight.push_back(i);
+  return out;
+}
+
+std::optional<Connector::WayToOne> Connector::without_or_with_backing(
+    const SteeredPath& left, const std::vector<SteeredPath>& entered) const {
+  const Turning& turning = ground_.machine().turning;
+  const std::vector<WayEnd> begins = ways_out(left, Backing::kNear);
+  Ends straight;
+  for (std::size_t i = 0; i < entered.size(); ++i) {
+    const WayEnd in = straight_in(entered[i].front().start);
+    if (!leads_off(turned_back(in.pose))) continue;
+    straight.ends.push_back(in);
+    straight.of.push_back(i);
   }
   std::optional<WayToOne> out;
   std::size_t end = 0;
-  if (!straight_ends.empty() && leads_off(begins.front().pose))
-    if (auto way = searched({begins.front()}, straight_ends, 1, {kAnyCost_s, &end}))
-      out = {of_straight[end], std::move(*way)};
+  if (!straight.ends.empty() && leads_off(begins.front().pose))
+    if (auto way = searched({begins.front()}, straight.ends, 1, {kAnyCost_s, &end}))
+      out = {straight.of[end], std::move(*way)};
   const double limit_s = out ? out->way.cost_s : kAnyCost_s;
   if (limit_s <= 2 * turning.gear_change_s + kWorthBacking_s) return out;
-  if (auto way = searched(begins, all_ends, 1, {limit_s, &end})) out = {of_all[end], std::move(*way)};
+  const Ends all = ends_of(entered, Backing::kNear);
+  if (auto way = searched(begins, all.ends, 1, {limit_s, &end})) out = {all.of[end], std::move(*way)};
   return out;
+}
+
+std::optional<Connector::WayToOne> Connector::backing_far(const SteeredPath& left,
+                                                          const std::vector<SteeredPath>& entered) const {
+  if (ground_.outline().tows()) return std::nullopt;
+  const Ends all = ends_of(entered, Backing::kFar);
+  std::size_t end = 0;
+  auto way = searched(ways_out(left, Backing::kFar), all.ends, 1, {kAnyCost_s, &end});
+  if (!way) return std::nullopt;
+  return WayToOne{all.of[end], std::move(*way)};
 }
 
 Connector::WayToOne Connector::to_any(const SteeredPath& left,
                                       const std::vector<SteeredPath>& entered) const {
   assert(!entered.empty());
-  const std::vector<WayEnd> begins = ways_out(left);
-  std::vector<std::vector<WayEnd>> ends;
-  for (const SteeredPath& one : entered) ends.push_back(ways_in(one));
-  if (auto way = without_or_with_backing(begins, ends)) return std::move(*way);
+  if (auto way = without_or_with_backing(left, entered)) return std::move(*way);
+  if (auto way = backing_far(left, entered)) return std::move(*way);
   const WayEnd in = straight_in(entered.front().front().start);
-  Way out = without_room(begins.front().pose, in.pose);
-  out.path = joined(begins.front().path, out.path, in.path);
+  const WayEnd begin = straight_out(end_of(left));
+  Way out = without_room(begin.pose, in.pose);
+  out.path = joined(begin.path, out.path, in.path);
   out.time_s = out.cost_s = idle_seconds(out.path, ground_.machine().turning);
   return {0, std::move(out)};
 }
@@ -223,7 +246,7 @@ std::vector<WayEnd> any_heading(Point at) {
 }  // namespace
 
 Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
-  const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered);
+  const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered, Backing::kNear);
   if (auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr})) return std::move(*way);
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
@@ -231,7 +254,7 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
 }
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
-  const std::vector<WayEnd> begins = ways_out(left), ends = any_heading(gate);
+  const std::vector<WayEnd> begins = ways_out(left, Backing::kNear), ends = any_heading(gate);
   if (auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr})) return std::move(*way);
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);

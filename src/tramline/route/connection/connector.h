@@ -20,8 +20,9 @@ class Connector {
 
   /// The way from the end of one axle path to the beginning of another. In this order: a turn before the ends
   /// of the tracks; the way of least cost along the lines of the roadmap and between them, back out of the
-  /// end or back into the beginning where that is quicker or nothing else has room; the shortest way without
-  /// room, with what it lacks. Preconditions: both have a length.
+  /// end or back into the beginning where that is quicker or nothing else has room, a few radii first and
+  /// then as far as the two paths reach; the shortest way without room, with what it lacks. What `left` has
+  /// before the work, the way that led there, may be backed along too. Preconditions: both have a length.
   Way between(const SteeredPath& left, const SteeredPath& entered) const;
 
   /// The quickest way without detours or reversing, where one has room: a shortest Dubins word that leads
@@ -50,16 +51,27 @@ class Connector {
   std::optional<Way> turn(const SteeredPath& left, const SteeredPath& entered) const;
   std::optional<Way> searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
                               std::size_t backing_begins, const Limit& limit) const;
+  /// All ways to begin works, and which of them each begins.
+  struct Ends {
+    std::vector<WayEnd> ends{};
+    std::vector<std::size_t> of{};
+  };
+  enum class Backing { kNear, kFar };
+  Ends ends_of(const std::vector<SteeredPath>& entered, Backing backing) const;
   /// The way without backing where both ends lead off, and, where it takes long or there is none, with it.
-  std::optional<WayToOne> without_or_with_backing(const std::vector<WayEnd>& begins,
-                                                  const std::vector<std::vector<WayEnd>>& ends) const;
+  std::optional<WayToOne> without_or_with_backing(const SteeredPath& left,
+                                                  const std::vector<SteeredPath>& entered) const;
+  /// The way that backs as far as the works reach.
+  std::optional<WayToOne> backing_far(const SteeredPath& left, const std::vector<SteeredPath>& entered) const;
   bool leads_off(const Pose& pose) const;
   Way without_room(const Pose& from, const Pose& to) const;
   Way finished(LegKind kind, SteeredPath path) const;
   WayEnd straight_out(const Pose& end) const;
   WayEnd straight_in(const Pose& start) const;
-  std::vector<WayEnd> ways_out(const SteeredPath& left) const;
-  std::vector<WayEnd> ways_in(const SteeredPath& entered) const;
+  /// The distances backed over a path, m: the shorter ones first, no more than its length.
+  std::vector<double> backed_m(double length_m, Backing backing) const;
+  std::vector<WayEnd> ways_out(const SteeredPath& left, Backing backing) const;
+  std::vector<WayEnd> ways_in(const SteeredPath& entered, Backing backing) const;
 
   const DrivingGround& ground_;
   RoadmapOnDemand& roadmap_;

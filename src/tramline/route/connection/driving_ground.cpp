@@ -20,6 +20,7 @@ std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& 
   return AllowedLand(unite(all));
 }
 
+constexpr double kTouched_m = 1e-3;
 constexpr double kMoreAcross = 3, kMoreAlongTrack = 0.5;
 
 Machine drivable(Machine machine) {
@@ -49,7 +50,9 @@ std::vector<Manoeuvre> DrivingGround::words(const Pose& from, const Pose& to) co
 }
 
 bool DrivingGround::has_room_along(const SteeredPath& path) const {
-  return with_passables_ ? with_passables_->fits(path, outline_) : turning_.fits(path, outline_);
+  const AllowedLand& land = with_passables_ ? *with_passables_ : turning_;
+  // Lines of work that lead beside an edge touch it, give or take the rounding of both.
+  return land.fits(path, outline_) || land.missing_m(path, outline_) <= kTouched_m;
 }
 
 bool DrivingGround::can_follow(const SteeredPath& path) const {

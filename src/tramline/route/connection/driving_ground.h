@@ -35,7 +35,8 @@ class DrivingGround {
 
   /// Whether the outline has room on a way that turns.
   bool has_room(const SteeredPath& path) const { return turning_.fits(path, outline_); }
-  /// The same for a way along a pass or a track, which may lead across passable obstacles.
+  /// The same for a way along a pass or a track, which may lead across passable obstacles and touch the edge
+  /// of the land to a millimetre.
   bool has_room_along(const SteeredPath& path) const;
 
   /// How far the outline leaves the land on a way along a pass or a track, m; 0 where it does not by more

@@ -24,6 +24,11 @@ struct Way {
 /// The time to drive a path with the work off, from work forward to work forward, s.
 double idle_seconds(const SteeredPath& path, const Turning& turning);
 
+/// What the machine has driven forward without a break when it ends a work, the last kilometre of it at most:
+/// it can back along that. `before`: the same when it began the way to the work. Where the way has no room,
+/// the work alone; where it changes gear on the way, from there on. O(stretches).
+SteeredPath driven_forward(const SteeredPath& before, const Way& way, const SteeredPath& work);
+
 /// The legs that a way comes to, in the order driven, one for each gear; without their times.
 std::vector<RouteLeg> legs_of(const Way& way);
 
