@@ -214,7 +214,8 @@ std::optional<Connector::WayToOne> Connector::without_or_with_backing(
 std::optional<Connector::WayToOne> Connector::backing_far(const SteeredPath& left,
                                                           const std::vector<SteeredPath>& entered) const {
   if (ground_.outline().tows()) return std::nullopt;
-  const Ends all = ends_of(entered, Backing::kFar);
+  // Of several places to begin another spares backing far into one.
+  const Ends all = ends_of(entered, entered.size() == 1 ? Backing::kFar : Backing::kNear);
   std::size_t end = 0;
   auto way = searched(ways_out(left, Backing::kFar), all.ends, 1, {kAnyCost_s, &end});
   if (!way) return std::nullopt;

@@ -20,7 +20,6 @@ std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& 
   return AllowedLand(unite(all));
 }
 
-constexpr double kTouched_m = 1e-3;
 constexpr double kMoreAcross = 3, kMoreAlongTrack = 0.5;
 
 Machine drivable(Machine machine) {
@@ -50,9 +49,8 @@ std::vector<Manoeuvre> DrivingGround::words(const Pose& from, const Pose& to) co
 }
 
 bool DrivingGround::has_room_along(const SteeredPath& path) const {
-  const AllowedLand& land = with_passables_ ? *with_passables_ : turning_;
-  // Lines of work that lead beside an edge touch it, give or take the rounding of both.
-  return land.fits(path, outline_) || land.missing_m(path, outline_) <= kTouched_m;
+  return with_passables_ ? with_passables_->nearly_fits(path, outline_)
+                         : turning_.nearly_fits(path, outline_);
 }
 
 bool DrivingGround::can_follow(const SteeredPath& path) const {

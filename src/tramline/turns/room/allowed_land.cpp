@@ -106,6 +106,12 @@ bool AllowedLand::fits(const SteeredPath& path, const Outline& outline) const {
   return !outline.tows() || implement_stays(bounded_, path, outline);
 }
 
+bool AllowedLand::nearly_fits(const SteeredPath& path, const Outline& outline) const {
+  if (path.empty()) return true;
+  return machine_stays(bounded_, path, outline.on_machine) &&
+         (!outline.tows() || implement_stays(bounded_, path, outline));
+}
+
 bool AllowedLand::holds(const Pose& pose, const Outline& outline) const {
   assert(!outline.tows());
   return starts_on(exact_, outline.on_machine, placed(pose));
