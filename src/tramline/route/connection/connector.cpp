@@ -114,9 +114,12 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
   if (!ground_.can_follow(left)) return out;
+  double tried_m = 0;
   for (const double back_m : backed_m(length_m, backing)) {
+    const SteeredPath farther = retraced(part_of(left, length_m - back_m, length_m - tried_m));
+    if (!ground_.has_room_along(farther)) break;  // swaths may lead over a soft edge, idle machines do not
+    tried_m = back_m;
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
-    if (!ground_.has_room_along(back)) break;  // swaths may lead over a soft edge, idle machines do not
     out.push_back({end_of(back), back, backing_seconds(back_m, ground_.machine().turning)});
   }
   return out;
@@ -126,9 +129,11 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backi
   std::vector<WayEnd> out{straight_in(entered.front().start)};
   if (ground_.outline().tows()) return out;
   if (!ground_.can_follow(entered)) return out;
+  double tried_m = 0;
   for (const double back_m : backed_m(length(entered), backing)) {
+    if (!ground_.has_room_along(retraced(part_of(entered, tried_m, back_m)))) break;
+    tried_m = back_m;
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
-    if (!ground_.has_room_along(back)) break;
     out.push_back({back.front().start, back, backing_seconds(back_m, ground_.machine().turning)});
   }
   return out;
@@ -191,7 +196,6 @@ Connector::Ends Connector::ends_of(const std::vector<SteeredPath>& entered, Back
 std::optional<Connector::WayToOne> Connector::without_or_with_backing(
     const SteeredPath& left, const std::vector<SteeredPath>& entered) const {
   const Turning& turning = ground_.machine().turning;
-  const std::vector<WayEnd> begins = ways_out(left, Backing::kNear);
   Ends straight;
   for (std::size_t i = 0; i < entered.size(); ++i) {
     const WayEnd in = straight_in(entered[i].front().start);
@@ -199,34 +203,27 @@ std::optional<Connector::WayToOne> Connector::without_or_with_backing(
     straight.ends.push_back(in);
     straight.of.push_back(i);
   }
+  const WayEnd begin = straight_out(end_of(left));
   std::optional<WayToOne> out;
   std::size_t end = 0;
-  if (!straight.ends.empty() && leads_off(begins.front().pose))
-    if (auto way = searched({begins.front()}, straight.ends, 1, {kAnyCost_s, &end}))
+  if (!straight.ends.empty() && leads_off(begin.pose))
+    if (auto way = searched({begin}, straight.ends, 1, {kAnyCost_s, &end}))
       out = {straight.of[end], std::move(*way)};
   const double limit_s = out ? out->way.cost_s : kAnyCost_s;
   if (limit_s <= 2 * turning.gear_change_s + kWorthBacking_s) return out;
-  const Ends all = ends_of(entered, Backing::kNear);
-  if (auto way = searched(begins, all.ends, 1, {limit_s, &end})) out = {all.of[end], std::move(*way)};
+  // Where nothing else leads there it may back as far as it likes; of several places to begin another spares
+  // backing far into one.
+  const Backing out_of = out ? Backing::kNear : Backing::kFar;
+  const Ends all = ends_of(entered, entered.size() == 1 ? out_of : Backing::kNear);
+  if (auto way = searched(ways_out(left, out_of), all.ends, 1, {limit_s, &end}))
+    out = {all.of[end], std::move(*way)};
   return out;
-}
-
-std::optional<Connector::WayToOne> Connector::backing_far(const SteeredPath& left,
-                                                          const std::vector<SteeredPath>& entered) const {
-  if (ground_.outline().tows()) return std::nullopt;
-  // Of several places to begin another spares backing far into one.
-  const Ends all = ends_of(entered, entered.size() == 1 ? Backing::kFar : Backing::kNear);
-  std::size_t end = 0;
-  auto way = searched(ways_out(left, Backing::kFar), all.ends, 1, {kAnyCost_s, &end});
-  if (!way) return std::nullopt;
-  return WayToOne{all.of[end], std::move(*way)};
 }
 
 Connector::WayToOne Connector::to_any(const SteeredPath& left,
                                       const std::vector<SteeredPath>& entered) const {
   assert(!entered.empty());
   if (auto way = without_or_with_backing(left, entered)) return std::move(*way);
-  if (auto way = backing_far(left, entered)) return std::move(*way);
   const WayEnd in = straight_in(entered.front().front().start);
   const WayEnd begin = straight_out(end_of(left));
   Way out = without_room(begin.pose, in.pose);

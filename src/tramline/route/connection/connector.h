@@ -58,11 +58,10 @@ class Connector {
   };
   enum class Backing { kNear, kFar };
   Ends ends_of(const std::vector<SteeredPath>& entered, Backing backing) const;
-  /// The way without backing where both ends lead off, and, where it takes long or there is none, with it.
+  /// The way without backing where both ends lead off; with a little of it where that takes long, with as
+  /// much as it takes where there is none.
   std::optional<WayToOne> without_or_with_backing(const SteeredPath& left,
                                                   const std::vector<SteeredPath>& entered) const;
-  /// The way that backs as far as the works reach.
-  std::optional<WayToOne> backing_far(const SteeredPath& left, const std::vector<SteeredPath>& entered) const;
   bool leads_off(const Pose& pose) const;
   Way without_room(const Pose& from, const Pose& to) const;
   Way finished(LegKind kind, SteeredPath path) const;

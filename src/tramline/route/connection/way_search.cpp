@@ -81,6 +81,7 @@ class WaySearch {
  private:
   struct Visit {
     bool reached = false;
+    double least_s = -1;  ///< negative until computed
     double cost_s = 0;
     std::size_t from = 0;
     SteeredPath way{};
@@ -97,12 +98,14 @@ class WaySearch {
   }
 
   /// Of the way from a place to the nearest end.
-  double least_s(std::size_t place) const {
+  double least_s(std::size_t place) {
     if (is_end(place)) return 0;
-    double out = std::numeric_limits<double>::infinity();
+    double& known_s = visits_[place].least_s;
+    if (known_s >= 0) return known_s;
+    known_s = std::numeric_limits<double>::infinity();
     for (const WayEnd& end : ends_)
-      out = std::min(out, kHaste * distance(pose(place).at, end.pose.at) / speed_ + end.cost_s);
-    return out;
+      known_s = std::min(known_s, kHaste * distance(pose(place).at, end.pose.at) / speed_ + end.cost_s);
+    return known_s;
   }
 
   void propose(std::size_t from, std::size_t to, Step step, double step_s, Known known, SteeredPath way) {
@@ -120,7 +123,7 @@ class WaySearch {
   }
 
   void propose_word(std::size_t from, std::size_t to, double longest_m) {
-    if (visits_[to].reached) return;
+    if (visits_[to].reached || distance(pose(from).at, pose(to).at) > longest_m) return;
     const double length_m = dubins_length(pose(from), pose(to), radius_m_);
     if (length_m <= longest_m) propose(from, to, Step::kWord, length_m / speed_, Known::kAtLeast, {});
   }

@@ -24,8 +24,8 @@ class AllowedLand {
   /// outlines that tow have no reverse (TowedMotion). O(edges near the path) for lines and arcs.
   bool fits(const SteeredPath& path, const Outline& outline) const;
 
-  /// The same, up to kBoundedMotion_m beyond the edges on lines and arcs too: for paths that lead along an edge,
-  /// give or take the rounding of both.
+  /// The same, up to kBoundedMotion_m beyond the edges on lines and arcs too: for paths that lead along an
+  /// edge, give or take the rounding of both.
   bool nearly_fits(const SteeredPath& path, const Outline& outline) const;
 
   /// fits() in parts, where nothing is towed and a path is lines and arcs: the outline is on the land in the
