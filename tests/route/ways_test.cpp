@@ -192,7 +192,7 @@ TEST(WithWays, OneSenseIsEnoughForABar) {
     RoadmapOnDemand roadmap(
         [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
         ground);
-    const Connector connector(ground, roadmap, 0);
+    const Connector connector(ground, roadmap, {});
     std::vector<RouteLine> lines;
     for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
     const LeastSeconds least(machine);

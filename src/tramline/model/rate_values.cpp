@@ -31,4 +31,11 @@ std::string operation_words() {
   return out;
 }
 
+SecondPrices second_prices(const Rates& rates) {
+  constexpr double kSecondsPerHour = 3600;
+  const double fuel = rates.fuel_l_per_h * rates.fuel_price;
+  return {(rates.price_per_hour + fuel) / kSecondsPerHour,
+          (rates.price_per_hour + kIdleFuelShare * fuel) / kSecondsPerHour};
+}
+
 }  // namespace tramline

@@ -32,6 +32,13 @@ inline constexpr std::array<RateNumber, 7> kRateNumbers{{
 /// With the work off an engine takes about so much of the fuel that it takes at work.
 inline constexpr double kIdleFuelShare = 0.5;
 
+/// The price of a second at work and of a second with the work off, in euros: machine, driver and fuel.
+struct SecondPrices {
+  double at_work = 0;
+  double work_off = 0;
+};
+SecondPrices second_prices(const Rates& rates);
+
 /// Euros per m² of land worked twice, and of land missed, of rates without negative numbers (rates_of()).
 inline double overlap_price_per_m2(const Rates& rates) {
   return rates.input_price_per_ha / rates.sections / 1e4;

@@ -43,8 +43,8 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
     const bool leads_off = std::ranges::any_of(ways_off(left_.back(), ground.machine()),
                                                [&](const SteeredPath& way) { return ground.has_room(way); });
     if (!leads_off)
-      backing_s_[end] =
-          2 * turning.gear_change_s + back_m / turning.reverse_speed_mps + back_m / turning.turning_speed_mps;
+      backing_s_[end] = connector.terms().stop_s + 2 * turning.gear_change_s +
+                        back_m / turning.reverse_speed_mps + back_m / turning.turning_speed_mps;
   }
 }
 
@@ -83,6 +83,10 @@ void KnownCosts::settle_start(order::End entered) {
   Way way = to_first_(entered);
   at_start_[entered] = cost_of(way);
   ways_to_first_.emplace(entered, std::move(way));
+}
+
+void KnownCosts::settle_finish(order::End left) {
+  if (from_last_ && settled_finishes_.insert(left).second) at_finish_[left] = cost_of(from_last_(left));
 }
 
 const Way& KnownCosts::way(order::End left, order::End entered) {

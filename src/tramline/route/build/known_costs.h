@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,12 @@ class KnownCosts final : public order::EndCosts {
   /// Finds the way to the line that the route begins with.
   using WayToFirst = std::function<Way(order::End entered)>;
   void set_way_to_first(WayToFirst find) { to_first_ = std::move(find); }
-  /// Looks for it, once for each end: what it costs is known from then on. Nothing where none leads there.
+  /// The same of the way from the line that it ends with, of which only the cost is kept.
+  using WayFromLast = std::function<Way(order::End left)>;
+  void set_way_from_last(WayFromLast find) { from_last_ = std::move(find); }
+  /// Looks for these, once for each end: what they cost is known from then on. Nothing where no way was set.
   void settle_start(order::End entered);
+  void settle_finish(order::End left);
   /// Precondition: settled, and a way leads there.
   const Way& way_to_first(order::End entered) const { return ways_to_first_.at(entered); }
   void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
@@ -72,6 +77,8 @@ class KnownCosts final : public order::EndCosts {
   std::unordered_map<std::uint64_t, Way> ways_;
   WayToFirst to_first_{};
   std::unordered_map<order::End, Way> ways_to_first_{};
+  WayFromLast from_last_{};
+  std::unordered_set<order::End> settled_finishes_{};
   mutable std::unordered_map<std::uint64_t, double> between_;
 };
 

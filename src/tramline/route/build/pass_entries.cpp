@@ -32,6 +32,9 @@ void add_closed(const HeadlandPass& pass, Sense sense, double spacing_m, const T
   }
 }
 
+constexpr double kEntrySpacing_radii = 0.5;
+constexpr double kLeastEntrySpacing_m = 2;
+
 }  // namespace
 
 std::vector<PassEntry> entries_of(const HeadlandPass& pass, double spacing_m, const Turning& turning) {
@@ -41,6 +44,14 @@ std::vector<PassEntry> entries_of(const HeadlandPass& pass, double spacing_m, co
       add_closed(pass, sense, spacing_m, turning, out);
     else
       add_open(pass, sense, turning, out);
+  return out;
+}
+
+EntriesByPass entries_by_pass(const Headland& headland, const Machine& machine) {
+  const double spacing_m = std::max(kLeastEntrySpacing_m, kEntrySpacing_radii * machine.radius_m);
+  EntriesByPass out;
+  for (const HeadlandPass& pass : headland.passes)
+    out.push_back(entries_of(pass, spacing_m, machine.turning));
   return out;
 }
 

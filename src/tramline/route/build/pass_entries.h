@@ -24,6 +24,10 @@ struct PassEntry {
 /// Both ways of an open pass; of a closed one those from places `spacing_m` apart or less, both ways round.
 std::vector<PassEntry> entries_of(const HeadlandPass& pass, double spacing_m, const Turning& turning);
 
+/// Those of every pass of a headland, by its index; of closed ones half a radius apart, and 2 m at least.
+using EntriesByPass = std::vector<std::vector<PassEntry>>;
+EntriesByPass entries_by_pass(const Headland& headland, const Machine& machine);
+
 /// The path of the pass in a sense: of a closed one once round from where it is entered.
 Path worked_path(const HeadlandPass& pass, const PassEntry& entry);
 /// The way of the axle while it works the pass so.

@@ -1,6 +1,7 @@
 #include "tramline/route/build/pass_tour.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -15,9 +16,6 @@ constexpr std::size_t kMostTried = 120;
 /// have none either, so many of every pass and sense.
 constexpr std::size_t kMostSearched = 12;
 constexpr std::size_t kSearchedOfEach = 8;
-/// Entries of a closed pass are so far apart, as a share of the radius.
-constexpr double kEntrySpacing_radii = 0.5;
-constexpr double kLeastEntrySpacing_m = 2;
 
 struct Choice {
   std::size_t pass = 0;
@@ -79,19 +77,15 @@ bool same_boundary(const HeadlandPass& a, const HeadlandPass& b) {
 
 class PassTour {
  public:
-  PassTour(const Headland& headland, const std::vector<std::size_t>& passes, PassSequence sequence,
-           const Connector& connector, const LeastSeconds& least)
-      : headland_(headland),
-        sequence_(sequence),
-        connector_(connector),
-        least_(least),
-        passes_(passes.size()),
-        done_(headland.passes.size(), true) {
-    for (const std::size_t pass : passes) done_[pass] = false;
-    const Machine& machine = connector.ground().machine();
-    const double spacing_m = std::max(kLeastEntrySpacing_m, kEntrySpacing_radii * machine.radius_m);
-    for (const HeadlandPass& pass : headland.passes)
-      entries_.push_back(entries_of(pass, spacing_m, machine.turning));
+  explicit PassTour(const PassTask& task)
+      : headland_(task.headland),
+        entries_(task.entries),
+        sequence_(task.sequence),
+        connector_(task.connector),
+        least_(task.least),
+        passes_(task.passes.size()),
+        done_(task.headland.passes.size(), true) {
+    for (const std::size_t pass : task.passes) done_[pass] = false;
   }
 
   std::vector<WorkedPass> from(SteeredPath left) {
@@ -103,6 +97,23 @@ class PassTour {
       left = driven_forward(left, worked.before, axle(worked.pass, worked.entry));
     }
     return out;
+  }
+
+  /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
+  /// of least cost to one of these.
+  WorkedPass next(const SteeredPath& left) const {
+    NearestChoices all = choices(end_of(left));
+    WorkedPass best;
+    double best_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i) {
+      const Choice& one = all.at(i);
+      if (one.least_s >= best_s) break;
+      std::optional<Way> way = connector_.direct(left, axle(one.pass, *one.entry));
+      if (!way || way->time_s >= best_s) continue;
+      best_s = way->time_s;
+      best = {one.pass, *one.entry, std::move(*way)};
+    }
+    return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, all);
   }
 
  private:
@@ -138,23 +149,6 @@ class PassTour {
     return {left, least_, std::move(out)};
   }
 
-  /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
-  /// of least cost to one of these.
-  WorkedPass next(const SteeredPath& left) const {
-    NearestChoices all = choices(end_of(left));
-    WorkedPass best;
-    double best_s = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i) {
-      const Choice& one = all.at(i);
-      if (one.least_s >= best_s) break;
-      std::optional<Way> way = connector_.direct(left, axle(one.pass, *one.entry));
-      if (!way || way->time_s >= best_s) continue;
-      best_s = way->time_s;
-      best = {one.pass, *one.entry, std::move(*way)};
-    }
-    return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, all);
-  }
-
   WorkedPass by_search(const SteeredPath& left, NearestChoices& all) const {
     std::vector<Choice> nearest;
     for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i) nearest.push_back(all.at(i));
@@ -185,20 +179,23 @@ class PassTour {
   }
 
   const Headland& headland_;
+  const EntriesByPass& entries_;
   PassSequence sequence_;
   const Connector& connector_;
   const LeastSeconds& least_;
   std::size_t passes_;
   std::vector<bool> done_;  ///< or none of those asked for
-  std::vector<std::vector<PassEntry>> entries_;
 };
 
 }  // namespace
 
-std::vector<WorkedPass> pass_tour(const Headland& headland, const std::vector<std::size_t>& passes,
-                                  PassSequence sequence, const SteeredPath& left, const Connector& connector,
-                                  const LeastSeconds& least) {
-  return PassTour(headland, passes, sequence, connector, least).from(left);
+std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
+  return PassTour(task).from(left);
+}
+
+WorkedPass nearest_pass(const PassTask& task, const SteeredPath& left) {
+  assert(!task.passes.empty() && !left.empty());
+  return PassTour(task).next(left);
 }
 
 }  // namespace tramline

@@ -19,12 +19,23 @@ struct WorkedPass {
   Way before;  ///< the way to it; without path where the route begins with it
 };
 
+/// What passes are chosen from. All references outlive the call.
+struct PassTask {
+  const Headland& headland;
+  const EntriesByPass& entries;
+  const std::vector<std::size_t>& passes;  ///< to be worked, indices into Headland::passes
+  PassSequence sequence;
+  const Connector& connector;
+  const LeastSeconds& least;
+};
+
 /// These passes, each once, from where the route is (`left`: the way of the axle up to there; empty: nowhere
 /// yet, then the first of them begins at its own beginning). The nearest pass in driving time comes next, of
 /// those whose turn it is by `sequence`: of passes along one boundary by their numbers. Of the places of a
 /// closed pass that is entered which is reached soonest with room. O(p²) ways for p passes.
-std::vector<WorkedPass> pass_tour(const Headland& headland, const std::vector<std::size_t>& passes,
-                                  PassSequence sequence, const SteeredPath& left, const Connector& connector,
-                                  const LeastSeconds& least);
+std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left);
+
+/// The first of them, and the way there. Preconditions: there is a pass, and `left` is not empty.
+WorkedPass nearest_pass(const PassTask& task, const SteeredPath& left);
 
 }  // namespace tramline

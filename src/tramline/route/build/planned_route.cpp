@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/model/rate_values.h"
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/leg_list.h"
@@ -18,6 +19,8 @@ namespace {
 /// Poses of the roadmap are so far apart, as a share of the radius, and at least kLeastSpacing_m.
 constexpr double kRoadmapSpacing_radii = 0.75;
 constexpr double kLeastSpacing_m = 2;
+/// No stop counts more than this: less than a way without room.
+constexpr double kLongestStop_s = 900;
 
 std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   std::vector<TrackPiece> out;
@@ -32,14 +35,20 @@ bool machine_is_its_bar(const Machine& machine) {
          turning.rear_overhang_m == 0;
 }
 
+/// What a stop costs, in seconds on the way, where the plan is to cost little rather than to take little
+/// time.
+double stop_seconds(const RouteTask& task) {
+  if (task.settings.aim != Aim::kWholeCost) return 0;
+  const Rates rates = rates_of(task.machine);
+  const double second = second_prices(rates).work_off;
+  return second > 0 ? std::min(kLongestStop_s, rates.price_per_stop / second) : 0;
+}
+
 /// Where nothing reaches out, what is driven from the end of a way sweeps the same land.
 Senses senses_of(const Machine& machine) {
   const bool alike = machine_is_its_bar(machine) && machine.turning.lift_m == machine.turning.lower_m;
   return alike ? Senses::kCostTheSame : Senses::kDiffer;
 }
-
-/// What follows lines on the route: other lines, or the gate at its end, if any.
-enum class Behind { kMore, kGate };
 
 class RoutePlanner {
  public:
@@ -49,8 +58,9 @@ class RoutePlanner {
         turning_(task.machine.turning),
         ground_(task.turning_land, task.field, task.machine, task.body),
         roadmap_([this] { return roadmap(); }, ground_),
-        connector_(ground_, roadmap_, task.settings.towing_error_m),
+        connector_(ground_, roadmap_, {task.settings.towing_error_m, stop_seconds(task)}),
         least_(task.machine),
+        entries_(entries_by_pass(task.headland, task.machine)),
         legs_(task.field, turning_) {
     for (const order::WorkedLine& line : lines) route_lines_.push_back(route_line(line, turning_));
     out_.start = with_room(task.settings.route.start, ground_);
@@ -106,27 +116,45 @@ class RoutePlanner {
     left_ = driven_forward(left_, way, work);
   }
 
+  PassTask pass_task(const std::vector<std::size_t>& passes) const {
+    return {task_.headland, entries_, passes, task_.settings.route.sequence, connector_, least_};
+  }
+
   /// Those round the outside first where passes come first, and last where they come last: the others lie
   /// between them and the tracks.
   void add_passes() {
-    const PassSequence sequence = task_.settings.route.sequence;
-    std::vector<std::size_t> open, closed, all;
+    const Groups groups = pass_groups();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (groups[i].as_lines)
+        add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1].passes : std::vector<std::size_t>{});
+      else
+        add_nearest(groups[i].passes);
+  }
+
+  /// Passes that are ordered together.
+  struct Group {
+    std::vector<std::size_t> passes{};
+    bool as_lines = false;  ///< they have two ends, like tracks
+  };
+  using Groups = std::vector<Group>;
+
+  /// In the order in which they are driven.
+  Groups pass_groups() const {
+    Group open{{}, true}, closed, all;
     for (std::size_t i = 0; i < task_.headland.passes.size(); ++i) {
-      (is_closed(task_.headland.passes[i]) ? closed : open).push_back(i);
-      all.push_back(i);
+      (is_closed(task_.headland.passes[i]) ? closed : open).passes.push_back(i);
+      all.passes.push_back(i);
     }
-    if (sequence != PassSequence::kAny) return add_nearest(all);
-    const bool first = task_.settings.route.passes == PassTime::kFirst;
-    if (first) add_nearest(closed);
-    add_open(open);
-    if (!first) add_nearest(closed);
+    Groups out{open, closed};
+    if (task_.settings.route.passes == PassTime::kFirst) std::swap(out.front(), out.back());
+    if (task_.settings.route.sequence != PassSequence::kAny) out = {all};
+    std::erase_if(out, [](const Group& group) { return group.passes.empty(); });
+    return out;
   }
 
   /// Passes in the order in which each is the nearest.
   void add_nearest(const std::vector<std::size_t>& passes) {
-    if (passes.empty()) return;
-    const std::vector<WorkedPass> tour =
-        pass_tour(task_.headland, passes, task_.settings.route.sequence, left_, connector_, least_);
+    const std::vector<WorkedPass> tour = pass_tour(pass_task(passes), left_);
     for (const WorkedPass& worked : tour) {
       const HeadlandPass& pass = task_.headland.passes[worked.pass];
       const SteeredPath axle = axle_path(pass, worked.entry, turning_);
@@ -135,9 +163,9 @@ class RoutePlanner {
     }
   }
 
-  /// Open passes, which have two ends like tracks, in the best order that is found.
-  void add_open(const std::vector<std::size_t>& passes) {
-    if (passes.empty()) return;
+  /// Open passes, which have two ends like tracks, in the best order that is found. `next`: the passes
+  /// behind.
+  void add_open(const std::vector<std::size_t>& passes, const std::vector<std::size_t>& next) {
     std::vector<RouteLine> lines;
     order::Tour as_given;
     for (const std::size_t pass : passes) {
@@ -145,7 +173,8 @@ class RoutePlanner {
       lines.push_back(route_line(task_.headland.passes[pass], pass, turning_));
     }
     KnownCosts costs(lines, connector_, least_);
-    set_ends(lines, Behind::kMore, costs);
+    set_starts(lines, costs);
+    set_finishes(lines, next, costs);
     const TrackTour tour = best_tour_with_ways({as_given}, senses_of(task_.machine), costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
@@ -157,8 +186,30 @@ class RoutePlanner {
     }
   }
 
-  /// What the way to the first line and that from the last one cost at least, by their ends.
-  void set_ends(const std::vector<RouteLine>& lines, Behind behind, KnownCosts& costs) const {
+  /// What the way from the last line costs at least, by its end: to the passes that follow, or else to the
+  /// gate.
+  void set_finishes(const std::vector<RouteLine>& lines, const std::vector<std::size_t>& passes,
+                    KnownCosts& costs) const {
+    if (!passes.empty())
+      costs.set_way_from_last([this, &lines, passes](order::End end) {
+        const SteeredPath& left = lines[order::line_of(end)].left_by(end).last;
+        return nearest_pass(pass_task(passes), left).before;
+      });
+    for (order::End end = 0; end < 2 * lines.size(); ++end) {
+      const Pose left = pose_left_by(lines[order::line_of(end)], end);
+      double least_s = std::numeric_limits<double>::infinity();
+      for (const std::size_t pass : passes)
+        for (const PassEntry& entry : entries_[pass])
+          least_s = std::min(least_s, least_.crude(left, entry.entered));
+      if (!passes.empty())
+        costs.set_finish(end, least_s);
+      else if (out_.end)
+        costs.set_finish(end, least_.to_gate(*out_.end, left));
+    }
+  }
+
+  /// What the way to the first line costs at least, by its end.
+  void set_starts(const std::vector<RouteLine>& lines, KnownCosts& costs) const {
     if (!left_.empty() || out_.start)
       costs.set_way_to_first([&](order::End entered) {
         return way_to(lines[order::line_of(entered)].entered_by(entered).first);
@@ -169,17 +220,16 @@ class RoutePlanner {
         costs.set_start(end, least_.between(end_of(left_), pose_entered_by(line, end)));
       else if (out_.start)
         costs.set_start(end, least_.to_gate(*out_.start, pose_entered_by(line, end)));
-      if (out_.end && behind == Behind::kGate)
-        costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
     }
   }
 
   void add_tracks(const std::vector<order::Tour>& given) {
     if (lines_.empty()) return;
     KnownCosts costs(route_lines_, connector_, least_);
-    const bool passes_follow =
-        task_.settings.route.passes == PassTime::kLast && !task_.headland.passes.empty();
-    set_ends(route_lines_, passes_follow ? Behind::kMore : Behind::kGate, costs);
+    set_starts(route_lines_, costs);
+    const Groups groups = pass_groups();
+    const bool passes_follow = task_.settings.route.passes == PassTime::kLast && !groups.empty();
+    set_finishes(route_lines_, passes_follow ? groups.front().passes : std::vector<std::size_t>{}, costs);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
     const Senses senses = senses_of(task_.machine);
     const TrackTour tour =
@@ -205,6 +255,7 @@ class RoutePlanner {
   RoadmapOnDemand roadmap_;
   Connector connector_;
   LeastSeconds least_;
+  EntriesByPass entries_;
   LegList legs_;
   std::vector<RouteLine> route_lines_;
   SteeredPath left_;  ///< what was driven forward to the end of the work so far; empty at the beginning

@@ -29,6 +29,11 @@ TrackTour in_order(const Tour& tour, KnownCosts& costs) {
   return out;
 }
 
+void settle_ends(const Tour& tour, KnownCosts& costs) {
+  costs.settle_start(tour.front());
+  costs.settle_finish(order::other_end(tour.back()));
+}
+
 auto without_room(const std::vector<Way>& ways) {
   return std::ranges::count_if(ways, [](const Way& way) { return !way.has_room(); });
 }
@@ -51,8 +56,8 @@ const Tour& cheapest(const std::vector<Tour>& tours, const KnownCosts& costs) {
 
 TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
   Tour first = tour, second = order::backwards(tour);
-  costs.settle_start(first.front());
-  costs.settle_start(second.front());
+  settle_ends(first, costs);
+  settle_ends(second, costs);
   if (senses == Senses::kCostTheSame && at_ends(second, costs) < at_ends(first, costs))
     std::swap(first, second);
   TrackTour there = in_order(first, costs);
@@ -71,7 +76,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
   for (int round = 0; round < kMostRounds; ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
     in_order(tour, costs);
-    costs.settle_start(tour.front());
+    settle_ends(tour, costs);
     settled.push_back(tour);
     if (order::connection_s(tour, costs) <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
     tour = found_order(costs, neighbours, settled, order::Effort::kAgain);

@@ -47,11 +47,6 @@ SteeredPath joined(const SteeredPath& a, const SteeredPath& b, const SteeredPath
   return out;
 }
 
-/// The reverse run over a path, with the change of gear before it and the one behind it.
-double backing_seconds(double back_m, const Turning& turning) {
-  return 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps;
-}
-
 }  // namespace
 
 Way Connector::finished(LegKind kind, SteeredPath path) const {
@@ -77,8 +72,8 @@ std::optional<Way> Connector::turn(const SteeredPath& left, const SteeredPath& e
   auto manoeuvre = turn_before_ends(hop, ground_.turning(), machine, {});
   if (!manoeuvre) return std::nullopt;
   Way out = finished(LegKind::kTurn, std::move(manoeuvre->path));
-  if (out.lateral_error_m <= towing_error_m_ || !(towing_error_m_ > 0)) return out;
-  const double more_m = run_in_m(out.path, ground_.outline(), towing_error_m_);
+  if (out.lateral_error_m <= terms_.towing_error_m || !(terms_.towing_error_m > 0)) return out;
+  const double more_m = run_in_m(out.path, ground_.outline(), terms_.towing_error_m);
   if (auto longer = turn_before_ends(hop, ground_.turning(), machine, {0, more_m}))
     out = finished(out.kind, std::move(longer->path));
   return out;
@@ -109,6 +104,11 @@ std::vector<double> Connector::backed_m(double length_m, Backing backing) const 
   return out;
 }
 
+double Connector::backing_s(double back_m) const {
+  const Turning& turning = ground_.machine().turning;
+  return terms_.stop_s + 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps;
+}
+
 std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing) const {
   std::vector<WayEnd> out{straight_out(end_of(left))};
   if (ground_.outline().tows()) return out;
@@ -120,7 +120,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing
     if (!ground_.has_room_along(farther)) break;  // swaths may lead over a soft edge, idle machines do not
     tried_m = back_m;
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
-    out.push_back({end_of(back), back, backing_seconds(back_m, ground_.machine().turning)});
+    out.push_back({end_of(back), back, backing_s(back_m)});
   }
   return out;
 }
@@ -134,7 +134,7 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backi
     if (!ground_.has_room_along(retraced(part_of(entered, tried_m, back_m)))) break;
     tried_m = back_m;
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
-    out.push_back({back.front().start, back, backing_seconds(back_m, ground_.machine().turning)});
+    out.push_back({back.front().start, back, backing_s(back_m)});
   }
   return out;
 }

@@ -11,12 +11,18 @@
 
 namespace tramline {
 
+/// What is asked of ways besides room.
+struct WayTerms {
+  double towing_error_m = 0;  ///< as PlanSettings
+  double stop_s = 0;          ///< to back out of an end or into a beginning counts so much besides its time
+};
+
 /// Finds ways. One object serves one thread (RoadmapWays).
 class Connector {
  public:
-  /// `towing_error_m`: as PlanSettings. Ground and roadmap outlive the connector.
-  Connector(const DrivingGround& ground, RoadmapOnDemand& roadmap, double towing_error_m)
-      : ground_(ground), roadmap_(roadmap), towing_error_m_(towing_error_m) {}
+  /// Ground and roadmap outlive the connector.
+  Connector(const DrivingGround& ground, RoadmapOnDemand& roadmap, const WayTerms& terms)
+      : ground_(ground), roadmap_(roadmap), terms_(terms) {}
 
   /// The way from the end of one axle path to the beginning of another. In this order: a turn before the ends
   /// of the tracks; the way of least cost along the lines of the roadmap and between them, back out of the
@@ -42,6 +48,7 @@ class Connector {
   Way to_gate(const SteeredPath& left, Point gate) const;
 
   const DrivingGround& ground() const { return ground_; }
+  const WayTerms& terms() const { return terms_; }
 
  private:
   struct Limit {
@@ -69,12 +76,14 @@ class Connector {
   WayEnd straight_in(const Pose& start) const;
   /// The distances backed over a path, m: the shorter ones first, no more than its length.
   std::vector<double> backed_m(double length_m, Backing backing) const;
+  /// What it counts to back so far, changes of gear and the stop included.
+  double backing_s(double back_m) const;
   std::vector<WayEnd> ways_out(const SteeredPath& left, Backing backing) const;
   std::vector<WayEnd> ways_in(const SteeredPath& entered, Backing backing) const;
 
   const DrivingGround& ground_;
   RoadmapOnDemand& roadmap_;
-  double towing_error_m_;
+  WayTerms terms_;
 };
 
 }  // namespace tramline
