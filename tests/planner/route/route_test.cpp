@@ -260,6 +260,25 @@ TEST(Route, TellsWorkedFromUnworkedLand) {
             sums_of(last.route).not_working_m() + 1e-6);
 }
 
+// A spur as wide as the machine: it can only be left in reverse, until the bar has come out of it.
+TEST(Route, BacksOutOfASpurByTheWayItCameIn) {
+  for (const double spur_m : {40.0, 120.0}) {
+    Field field;
+    field.id = "spur";
+    field.outer = {{0, 0}, {100 + spur_m, 0}, {100 + spur_m, 6}, {100, 6}, {100, 100}, {0, 100}};
+    PlanSettings settings = whole_route(0);
+    settings.headland_rule = HeadlandRule::kTurns;
+    settings.boundary = EdgeKind::kHard;
+    settings.aim = Aim::kWholeCost;
+    const Plan plan = plan_field(field, {"", 6, 6}, {}, settings);
+    expect_sound(plan);
+    const RouteSums sums = sums_of(plan.route);
+    EXPECT_EQ(sums.without_room, 0);
+    EXPECT_GE(sums.reverse_m, spur_m);
+    EXPECT_LE(sums.reverse_m, spur_m + 60);
+  }
+}
+
 // Fields with obstacles, with and without headlands: every piece and pass once, joined, on the land.
 TEST(RouteProperties, RandomFieldsAreDrivenWhole) {
   for_each_seed(12, [](std::mt19937_64& random, int number) {
