@@ -38,6 +38,18 @@ inline double overlap_price_per_m2(const Rates& rates) {
 }
 inline double missed_price_per_m2(const Rates& rates) { return rates.margin_per_ha / 1e4; }
 
+/// The price of a second at work and of a second with the work off, in euros: machine, driver and fuel.
+struct SecondPrices {
+  double at_work = 0;
+  double work_off = 0;
+};
+/// Precondition: no negative numbers (rates_of()).
+SecondPrices second_prices(const Rates& rates);
+
+/// The seconds with the work off that cost as much as the price of a stop; an hour at the most, which is what
+/// a stop counts where time costs nothing.
+double stop_seconds(const Machine& machine);
+
 /// What is wrong with a value of this number, as the rest of a sentence after its name; empty where nothing
 /// is. NaN and infinity are faults.
 std::string fault_of(const RateNumber& number, double value);

@@ -9,7 +9,6 @@
 namespace tramline {
 namespace {
 
-constexpr double kSecondsPerHour = 3600;
 constexpr double kLeastShareOfMargin = 0.1;
 constexpr double kWayToSubfield_s = 60;
 
@@ -23,12 +22,6 @@ double quickest_turn_s(const Machine& machine) {
 }
 
 }  // namespace
-
-SecondPrices second_prices(const Rates& rates) {
-  const double fuel = rates.fuel_l_per_h * rates.fuel_price;
-  return {(rates.price_per_hour + fuel) / kSecondsPerHour,
-          (rates.price_per_hour + kIdleFuelShare * fuel) / kSecondsPerHour};
-}
 
 Objective track_prices(const Machine& machine) {
   const Rates rates = rates_of(machine);

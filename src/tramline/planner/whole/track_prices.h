@@ -14,11 +14,4 @@ namespace tramline {
 /// that is not nearer than a diameter. A further subfield costs a minute on the way. O(1).
 Objective track_prices(const Machine& machine);
 
-/// The price of a second at work and of a second with the work off, in euros: machine, driver and fuel.
-struct SecondPrices {
-  double at_work = 0;
-  double work_off = 0;
-};
-SecondPrices second_prices(const Rates& rates);
-
 }  // namespace tramline
