@@ -16,13 +16,6 @@ SecondPrices second_prices(const Rates& rates) {
   return {(rates.price_per_hour + fuel) / kHour_s, (rates.price_per_hour + kIdleFuelShare * fuel) / kHour_s};
 }
 
-double stop_seconds(const Machine& machine) {
-  const Rates rates = rates_of(machine);
-  const double second = second_prices(rates).work_off;
-  return rates.price_per_stop < kHour_s * second ? rates.price_per_stop / second
-                                                 : (rates.price_per_stop > 0 ? kHour_s : 0);
-}
-
 std::string fault_of(const RateNumber& number, double value) {
   // Written so that NaN is a fault.
   const bool in_range = value >= number.least && value <= number.most;

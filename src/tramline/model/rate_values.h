@@ -46,10 +46,6 @@ struct SecondPrices {
 /// Precondition: no negative numbers (rates_of()).
 SecondPrices second_prices(const Rates& rates);
 
-/// The seconds with the work off that cost as much as the price of a stop; an hour at the most, which is what
-/// a stop counts where time costs nothing.
-double stop_seconds(const Machine& machine);
-
 /// What is wrong with a value of this number, as the rest of a sentence after its name; empty where nothing
 /// is. NaN and infinity are faults.
 std::string fault_of(const RateNumber& number, double value);

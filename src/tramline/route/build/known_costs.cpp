@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "tramline/model/rate_values.h"
 #include "tramline/turns/turn_off.h"
 
 namespace tramline {
@@ -37,15 +36,15 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
   const Turning& turning = ground.machine().turning;
   far_m_ = kFar_turns * 2 * (ground.machine().radius_m + ground.machine().width_m);
   const double back_m = kBacking_radii * std::max(ground.machine().radius_m, ground.machine().width_m);
-  const double backing_s = 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps +
-                           back_m / turning.turning_speed_mps + stop_seconds(ground.machine());
   for (order::End end = 0; end < 2 * lines.size(); ++end) {
     const RouteLine& line = lines[order::line_of(end)];
     left_.push_back(pose_left_by(line, end));
     entered_.push_back(pose_entered_by(line, end));
     const bool leads_off = std::ranges::any_of(ways_off(left_.back(), ground.machine()),
                                                [&](const SteeredPath& way) { return ground.has_room(way); });
-    if (!leads_off) backing_s_[end] = backing_s;
+    if (!leads_off)
+      backing_s_[end] =
+          2 * turning.gear_change_s + back_m / turning.reverse_speed_mps + back_m / turning.turning_speed_mps;
   }
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 
-#include "tramline/model/rate_values.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/turning/planned_turns.h"
 #include "tramline/turns/manoeuvres/dubins.h"
@@ -46,11 +45,9 @@ SteeredPath joined(const SteeredPath& a, const SteeredPath& b, const SteeredPath
   return out;
 }
 
-/// The reverse run over a path, with the change of gear before it and the one behind it, and what a stop
-/// costs besides its time.
-double backing_cost_s(double back_m, const Machine& machine) {
-  const Turning& turning = machine.turning;
-  return 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps + stop_seconds(machine);
+/// The reverse run over a path, with the change of gear before it and the one behind it.
+double backing_seconds(double back_m, const Turning& turning) {
+  return 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps;
 }
 
 }  // namespace
@@ -99,6 +96,7 @@ WayEnd Connector::straight_in(const Pose& start) const {
 
 std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
   const Machine& machine = ground_.machine();
+  const Turning& turning = machine.turning;
   std::vector<WayEnd> out{straight_out(end_of(left))};
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
@@ -107,7 +105,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
     if (!ground_.has_room_along(back)) break;  // swaths may lead over a soft edge, idle machines do not
-    out.push_back({end_of(back), back, backing_cost_s(back_m, machine)});
+    out.push_back({end_of(back), back, backing_seconds(back_m, turning)});
     if (back_m >= length_m) break;
   }
   return out;
@@ -115,6 +113,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
 
 std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
   const Machine& machine = ground_.machine();
+  const Turning& turning = machine.turning;
   std::vector<WayEnd> out{straight_in(entered.front().start)};
   if (ground_.outline().tows()) return out;
   const double length_m = length(entered);
@@ -123,7 +122,7 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
     if (!ground_.has_room_along(back)) break;
-    out.push_back({back.front().start, back, backing_cost_s(back_m, machine)});
+    out.push_back({back.front().start, back, backing_seconds(back_m, turning)});
     if (back_m >= length_m) break;
   }
   return out;

@@ -14,7 +14,7 @@ struct Way {
   bool backs_out = false;      ///< begins in reverse along what was worked
   bool backs_in = false;       ///< ends in reverse along what is to be worked
   double time_s = 0;           ///< lengths by their speeds, and changes of gear
-  double cost_s = 0;           ///< time, and what stops and driving over crop count more
+  double cost_s = 0;           ///< time, and what driving over crop counts more
   double missing_m = 0;        ///< how far the outline leaves the land; 0: it has room
   double lateral_error_m = 0;  ///< of a towed implement where the work begins
 

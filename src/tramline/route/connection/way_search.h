@@ -18,7 +18,7 @@ inline constexpr double kAnyCost_s = std::numeric_limits<double>::infinity();
 struct WayEnd {
   Pose pose;
   SteeredPath path{};  ///< to the pose from where the way begins, or from the pose to where it ends
-  double cost_s = 0;   ///< of `path`, changes of gear and the price of a stop included
+  double cost_s = 0;   ///< of `path`, changes of gear included
 };
 
 struct FoundWay {
