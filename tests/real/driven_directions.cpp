@@ -4,9 +4,9 @@
 //
 //   driven_directions [RADIUS]
 //
-// The machine is as wide as the log says, 6 m where it says nothing, and has this radius, by default 6 m.
-// Prints a row for every log; exit code 1 where a plan is more than 10° off the direction driven and costs
-// more than a plan in that direction.
+// The machine is as wide as the log says, 6 m where it says nothing or more than 60 m, and has this radius,
+// by default 6 m. Prints a row for every log; exit code 1 where a plan is more than 10° off the direction
+// driven and costs more than a plan in that direction.
 
 #include <fmt/format.h>
 
@@ -36,6 +36,8 @@ namespace {
 
 constexpr double kNear_deg = 10;
 constexpr double kUsualWidth_m = 6, kUsualRadius_m = 6;
+/// What is said to be wider is no machine.
+constexpr double kMostWidth_m = 60;
 /// Chords of a drive at least so long have a direction; longer ones than the second number are gaps.
 constexpr double kLeastChord_m = 5, kMostChord_m = 30;
 constexpr int kAxes = 180;
@@ -86,7 +88,7 @@ double widest_m(const WorkLog& log) {
   double out = 0;
   for (const Boom& boom : log.booms)
     if (!boom.empty()) out = std::max(out, boom.front().left_m - boom.back().right_m);
-  return out > 0 ? out : kUsualWidth_m;
+  return out > 0 && out <= kMostWidth_m ? out : kUsualWidth_m;
 }
 
 /// What was driven on the field with the work on, or not known to be off.

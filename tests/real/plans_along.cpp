@@ -63,7 +63,7 @@ PlanSettings settings_for(Aim aim) {
   return out;
 }
 
-double price_of(const Plan& plan) { return compared_price(alternative_of(Alternative::kSearched, plan)); }
+double price_of(const Plan& plan) { return whole_cost(plan).euros(); }
 
 std::optional<Direction> main_direction(const Plan& plan) {
   double longest_m = -1;

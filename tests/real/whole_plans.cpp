@@ -127,7 +127,7 @@ std::optional<Plan> cheapest_lengthwise(const Field& field, const Machine& machi
   return out;
 }
 
-Compared compare(const Field& field, const Machine& machine, int layouts) {
+Compared compare(const Field& field, const Machine& machine, const Words& words) {
   Compared out;
   try {
     const Plan whole = plan_field(field, machine, {}, settings_for(Aim::kWholeCost), 1);
@@ -139,17 +139,18 @@ Compared compare(const Field& field, const Machine& machine, int layouts) {
     const Direction side = longest_side(field, machine.width_m);
     out.elongated = ratio >= kElongated;
     out.lengthwise = off_deg(whole, side) <= kLengthwise_deg;
+    const bool unexpected = out.elongated && !out.lengthwise;
     std::string text =
         fmt::format("{:12} {:6.2f} {:5.1f} | {} | {}{}\n", field.id, area(Polygon{field.outer, {}}) / 1e4,
-                    ratio, row(tracks, side), row(whole, side), out.elongated && !out.lengthwise ? " *" : "");
-    if (out.elongated && !out.lengthwise) {
+                    ratio, row(tracks, side), row(whole, side), unexpected ? " *" : "");
+    if (unexpected || !words.only.empty()) {
       text += fmt::format("    planned  {}\n", figures_in_full(whole));
       const auto along = cheapest_lengthwise(field, machine, whole, side);
       out.beaten_lengthwise = along && price_of(*along) < (1 - kBeaten) * out.whole;
       text += fmt::format("    along    {}{}\n", along ? figures_in_full(*along) : "no track fits",
                           out.beaten_lengthwise ? ": CHEAPER" : "");
     }
-    if (const auto found = cheapest_random(field, machine, out.whole, layouts)) {
+    if (const auto found = cheapest_random(field, machine, out.whole, words.layouts)) {
       out.beaten = found->price < (1 - kBeaten) * out.whole;
       text +=
           fmt::format("    random   {:.2f} € at {:.2f}°, offset {:.2f} m, {} passes, {} round obstacles{}\n",
@@ -179,7 +180,7 @@ int run(const Machine& machine, const Words& words) {
   fmt::print("{:12} {:>6} {:>5} | {:>4} {:>4} {:>7} {:>9} {:>3} | {:>4} {:>4} {:>7} {:>9} {:>3}\n", "field",
              "ha", "l/w", "turn", "stop", "h", "€", "off", "turn", "stop", "h", "€", "off");
   const std::vector<Compared> all =
-      for_each_field(*fields, [&](const Field& field) { return compare(field, machine, words.layouts); });
+      for_each_field(*fields, [&](const Field& field) { return compare(field, machine, words); });
   double whole = 0, tracks = 0;
   for (const Compared& one : all) {
     whole += one.whole;
