@@ -30,10 +30,13 @@ constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 constexpr std::size_t kSeldomBacksOut = 4;
 
 /// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
-constexpr std::size_t kFewTracks = 24;
-/// So many of the grids beside the best one are drafted, those of least cost of their tracks, and so many of
-/// them get routes.
-constexpr std::size_t kDrafted = 12, kRouted = 4;
+constexpr std::size_t kFewTracks = 32;
+/// Tracks are moved behind so many depths of headland, where the plan costs no more than this share above the
+/// best one.
+constexpr std::size_t kDepths = 3;
+constexpr double kAsGood = 0.01;
+/// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
+constexpr std::size_t kDrafted = 12, kRouted = 2;
 
 /// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
 /// routes, headlands of other depths, and other obstacles with headlands.
@@ -91,7 +94,7 @@ class Comparison {
     if (goes_on()) vary_directions();
     context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
-    if (goes_on()) vary_grid();
+    if (goes_on()) vary_grids();
     if (goes_on() && backs_out(best().draft.plan)) improves(in_adjacent_order());
     context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
@@ -235,15 +238,37 @@ class Comparison {
     }
   }
 
-  /// The best plan's tracks moved and turned a little: where there are few, turns and ways decide, of which
-  /// the cost of tracks knows nothing.
-  void vary_grid() {
-    const Plan& plan = best().draft.plan;
+  /// The best entries behind different passes that cost about the same, the best one first.
+  std::vector<std::size_t> about_as_good() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].price && *entries_[i].price <= (1 + kAsGood) * least_price()) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return *entries_[a].price < *entries_[b].price;
+    });
+    std::vector<std::size_t> out;
+    for (const std::size_t i : order) {
+      const bool known = std::any_of(out.begin(), out.end(), [&](std::size_t other) {
+        return entries_[i].laid.trial.passes == entries_[other].laid.trial.passes;
+      });
+      if (!known && out.size() < kDepths) out.push_back(i);
+    }
+    return out;
+  }
+
+  /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
+  /// which the cost of tracks knows nothing.
+  void vary_grids() {
+    for (const std::size_t i : about_as_good()) vary_grid(i);
+  }
+
+  void vary_grid(std::size_t of) {
+    const Plan& plan = entries_[of].laid.trial.draft.plan;
     if (plan.pieces.empty() || plan.pieces.size() > kFewTracks ||
         problem_.field.obstacles.size() > kFewObstacles)
       return;
     std::vector<Entry> near;
-    for (LaidOut& laid : beside(entries_[*best_].laid, kDrafted)) {
+    for (LaidOut& laid : beside(entries_[of].laid, kDrafted)) {
       const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
       near.push_back({std::move(laid), floor});
     }
