@@ -30,10 +30,10 @@ constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 constexpr std::size_t kSeldomBacksOut = 4;
 
 /// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
-constexpr std::size_t kFewTracks = 32;
+constexpr std::size_t kFewTracks = 16;
 /// Tracks are moved behind so many depths of headland, where the plan costs no more than this share above the
 /// best one.
-constexpr std::size_t kDepths = 3;
+constexpr std::size_t kDepths = 2;
 constexpr double kAsGood = 0.01;
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
@@ -264,9 +264,7 @@ class Comparison {
 
   void vary_grid(std::size_t of) {
     const Plan& plan = entries_[of].laid.trial.draft.plan;
-    if (plan.pieces.empty() || plan.pieces.size() > kFewTracks ||
-        problem_.field.obstacles.size() > kFewObstacles)
-      return;
+    if (plan.pieces.empty() || plan.pieces.size() > kFewTracks || !problem_.field.obstacles.empty()) return;
     std::vector<Entry> near;
     for (LaidOut& laid : beside(entries_[of].laid, kDrafted)) {
       const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
