@@ -231,8 +231,9 @@ long-route-6: build ## the same, 6 m wide and reversing
 long-route-24: build ## the same, 24 m wide and 8 m radius
 	$(ROUTES) 24 8 forward
 
-long-whole-plans: build ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, and than random layouts
+long-whole-plans: build ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, than random layouts, and than in the directions that were driven
 	$(LIMIT) $(RELEASE)/tests/real/whole_plans 6 6 forward 3 30
+	$(LIMIT) $(RELEASE)/tests/real/driven_directions
 
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real

@@ -104,18 +104,18 @@ JobCostCells job_cost_cells(const std::vector<JobCost>& jobs) {
 std::string job_cost_csv(const std::vector<JobCost>& jobs) {
   std::string out =
       "field_id,machine,land_m2,hours,working_h,headland_h,turning_h,transit_h,litres,route_m,euros,"
-      "field_efficiency,error\n";
+      "euros_without_room,field_efficiency,error\n";
   for (const JobCost& job : jobs) {
     out += csv_text(job.field_id) + "," + csv_text(job.machine) + ",";
     if (!job.refusal.empty()) {
-      out += ",,,,,,,,,," + csv_text(job.refusal) + "\n";
+      out += ",,,,,,,,,,," + csv_text(job.refusal) + "\n";
       continue;
     }
     const WholeCost& cost = job.cost;
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},\n", job.land_m2, cost.time_s() / kHour_s,
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},\n", job.land_m2, cost.time_s() / kHour_s,
                        cost.working_s / kHour_s, cost.headland_s / kHour_s, cost.turning_s / kHour_s,
                        cost.transit_s / kHour_s, cost.fuel_l, job.route_m, plain_zero(cost.euros()),
-                       cost.field_efficiency);
+                       cost.without_room, cost.field_efficiency);
   }
   return out;
 }

@@ -68,7 +68,17 @@ TEST(RouteReport, WholeCostIsOneRow) {
   EXPECT_NE(row.find(" €, worked twice 0.00 €, missed 0.00 €, stops 5.00 €; field efficiency "),
             std::string::npos)
       << row;
+  EXPECT_EQ(row.find("without room"), std::string::npos) << row;
   EXPECT_EQ(whole_cost_row(Plan{}), "");
+}
+
+TEST(RouteReport, LegsWithoutRoomAreAPartOfTheWholeCost) {
+  Plan tight = routed();
+  tight.route.legs[1].missing_m = tight.route.legs[3].missing_m = 0.5;
+  EXPECT_NE(whole_cost_row(tight).find(", stops 5.00 €, legs without room 100.00 €; field efficiency "),
+            std::string::npos)
+      << whole_cost_row(tight);
+  EXPECT_DOUBLE_EQ(whole_cost_json(tight).at("euros_without_room").get<double>(), 100);
 }
 
 TEST(RouteReport, NoBoundProvesNothing) {

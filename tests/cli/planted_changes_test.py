@@ -169,6 +169,20 @@ CHANGES = [
     ("route: end at another place", key("settings.route.end", "'40 40'"), FOUND),
     ("route: speed at work", key("machine.working_speed_mps", "'2'"), FOUND),
     ("route: speed of turns", key("machine.turning_speed_mps", "'3'"), FOUND),
+    ("whole cost: euros lowered", key("whole_cost.euros", "value * 0.999"), FOUND),
+    ("whole cost: hours lowered", key("whole_cost.hours", "value * 0.999"), FOUND),
+    ("whole cost: litres lowered", key("whole_cost.litres", "value * 0.999"), FOUND),
+    ("whole cost: price of an hour raised", key("whole_cost.rates.price_per_hour", "value + 1"), FOUND),
+    ("whole cost: fuel an hour", key("whole_cost.rates.fuel_l_per_h", "value + 1"), FOUND),
+    ("whole cost: price of fuel", key("whole_cost.rates.fuel_price", "value * 0.9"), FOUND),
+    ("whole cost: sections", key("whole_cost.rates.sections", "value + 1"), FOUND),
+    ("whole cost: input", key("whole_cost.rates.input_price_per_ha", "value * 0.9"), FOUND),
+    ("whole cost: margin", key("whole_cost.rates.margin_per_ha", "value * 0.9"), FOUND),
+    ("whole cost: price of a stop", key("whole_cost.rates.price_per_stop", "value + 1"),
+     "whole_cost.rates.price_per_stop"),
+    ("whole cost: operation", key("whole_cost.rates.operation", "'mowing'"), FOUND),
+    ("operation of the machine", key("machine.operation", "'seeding'"), FOUND),
+    ("sections of the machine", key("machine.sections", "'8'"), FOUND),
 ]
 
 

@@ -11,6 +11,7 @@
 #include "tramline/admission/admit.h"
 #include "tramline/check/file/compare_fields.h"
 #include "tramline/check/file/compare_layers.h"
+#include "tramline/check/file/compare_whole_cost.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
@@ -148,6 +149,7 @@ std::vector<std::string> faults_of_file(const std::string& path, const Field& in
   check::Verdict verdict = check::verify(file.plan);
   if (verdict.complete) {
     compare_layers(file, verdict.violations);
+    if (file.stated_cost) append(verdict.violations, check::compare_whole_cost(file.plan, *file.stated_cost));
     append(verdict.violations, check::compare_fields(file.plan.field, input));
   }
   return in_words(verdict);

@@ -54,12 +54,14 @@ std::vector<std::string> real_logs() {
   return out;
 }
 
+WorkLog real_log_as_read(const std::string& name) { return io::read_log((folder() / name).string()); }
+
 WorkLog real_log(const std::string& name, const LocalFrame& frame) {
-  return placed(io::read_log((folder() / name).string()), frame);
+  return placed(real_log_as_read(name), frame);
 }
 
 WorkLog real_log(const std::string& name) {
-  const WorkLog log = io::read_log((folder() / name).string());
+  const WorkLog log = real_log_as_read(name);
   return placed(log, frame_centred_on(log));
 }
 

@@ -13,6 +13,8 @@ namespace tramline::testing {
 
 /// Names of the files in the folder of logs, sorted.
 std::vector<std::string> real_logs();
+/// A log of that folder, its positions as in the file.
+WorkLog real_log_as_read(const std::string& name);
 /// A log of that folder in the frame, or in one of its own.
 WorkLog real_log(const std::string& name, const LocalFrame& frame);
 WorkLog real_log(const std::string& name);

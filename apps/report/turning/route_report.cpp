@@ -100,6 +100,7 @@ ordered_json whole_cost_json(const Plan& plan) {
           {"euros_missed", cost.missed},
           {"euros_stops", cost.stops},
           {"euros_driven_over", cost.driven_over},
+          {"euros_without_room", cost.without_room},
           {"rates", rates_json(plan.machine)}};
 }
 
@@ -180,6 +181,7 @@ std::string whole_cost_row(const Plan& plan) {
                      plain_zero(cost.missed));
   if (cost.stops > 0) out += fmt::format(", stops {:.2f} €", cost.stops);
   if (cost.driven_over > 0) out += fmt::format(", crop driven over {:.2f} €", cost.driven_over);
+  if (cost.without_room > 0) out += fmt::format(", legs without room {:.2f} €", cost.without_room);
   return out + fmt::format("; field efficiency {:.1f} %\n", 100 * cost.field_efficiency);
 }
 

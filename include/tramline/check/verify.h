@@ -42,6 +42,7 @@ enum class Rule : std::uint8_t {
   kTally,
   kTurns,
   kWarnings,
+  kWholeCost,
 };
 /// The name used in reports: "body", "swath overlap".
 std::string_view name(Rule rule);

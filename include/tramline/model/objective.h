@@ -3,6 +3,8 @@
 // the last two prices at 0 is the cost of Versleijen (2019), eq. 1. Of its whole route: hours, litres and
 // euros.
 
+#include "tramline/model/machine.h"
+
 namespace tramline {
 
 struct Plan;
@@ -48,6 +50,8 @@ struct WholeCost {
   double missed = 0;       ///< margin of land not worked
   double stops = 0;        ///< backing out of ends without a way off, besides its time
   double driven_over = 0;  ///< margin of standing crop under the wheels of ways with the work off
+  /// Legs without room, which cannot be driven as they are planned: kPriceWithoutRoom each.
+  double without_room = 0;
   /// Land worked per hour, of what the machine would work at working speed over its whole width without ever
   /// turning: the field efficiency of ASABE S495.
   double field_efficiency = 0;
@@ -57,7 +61,19 @@ struct WholeCost {
   /// Sums of two jobs. Their field efficiency follows from land, which is not known here: it stays.
   WholeCost& operator+=(const WholeCost& other);
 
-  double euros() const { return hours + fuel + overlap + missed + stops + driven_over; }
+  double euros() const { return hours + fuel + overlap + missed + stops + driven_over + without_room; }
+};
+
+/// What a leg without room counts in the whole cost, €: ten stops at the usual price, for what the driver has
+/// to think of there.
+inline constexpr double kPriceWithoutRoom = 50;
+
+/// The whole cost as a plan file states it, and the rates it was counted by, which are all given.
+struct StatedCost {
+  Rates rates;
+  double hours_h = 0;
+  double litres = 0;
+  double euros = 0;
 };
 
 /// Of a plan that has a route. O(n) for n legs.

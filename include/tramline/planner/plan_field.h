@@ -46,8 +46,7 @@ struct ExplainedPlan {
   Plan plan;
   /// For straight tracks only: costs of curved tracks are not split into causes.
   std::optional<Explanation> why;
-  /// With Aim::kWholeCost: all plans whose routes were compared, the plan first, then from the cheapest. A
-  /// leg without room counts ten stops there.
+  /// With Aim::kWholeCost: all plans whose routes were compared, the plan first, then from the cheapest.
   std::vector<RouteAlternative> routes{};
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "tramline/check/rules/rules.h"
 #include "tramline/model/rate_values.h"
@@ -64,6 +65,14 @@ void add_rates(const Plan& plan, Names& out) {
   out.push_back(fmt::format("machine.{}", kOperationKey));
   for (const RateNumber& number : kRateNumbers)
     if (rates.*number.value >= 0) out.push_back(fmt::format("machine.{}", number.key));
+}
+
+bool is_rate(const std::string& name) {
+  constexpr std::string_view kMachine = "machine.";
+  if (!name.starts_with(kMachine)) return false;
+  const std::string_view key = std::string_view(name).substr(kMachine.size());
+  return key == kOperationKey || std::any_of(kRateNumbers.begin(), kRateNumbers.end(),
+                                             [&](const RateNumber& number) { return key == number.key; });
 }
 
 void add_encounters(const Plan& plan, Names& out) {
@@ -130,6 +139,11 @@ std::vector<std::string> without_field(std::vector<std::string> names) {
   std::erase_if(names, [](const std::string& name) {
     return name == kRepairs || name == kFieldWarnings || name == kFrame;
   });
+  return names;
+}
+
+std::vector<std::string> without_rates(std::vector<std::string> names) {
+  std::erase_if(names, is_rate);
   return names;
 }
 

@@ -17,4 +17,7 @@ std::vector<std::string> not_verified(const Plan& plan);
 /// The names that remain once the field has been compared with its input, including repairs and warnings.
 std::vector<std::string> without_field(std::vector<std::string> names);
 
+/// Without the rates of the machine, where they have been compared with a whole cost (compare_whole_cost()).
+std::vector<std::string> without_rates(std::vector<std::string> names);
+
 }  // namespace tramline::check

@@ -60,6 +60,8 @@ std::string_view name(Rule rule) {
       return "turns";
     case Rule::kWarnings:
       return "warnings";
+    case Rule::kWholeCost:
+      return "whole cost";
   }
   return "";
 }

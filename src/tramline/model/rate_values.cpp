@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace tramline {
+namespace {
+
+constexpr double kHour_s = 3600;
+
+}  // namespace
+
+SecondPrices second_prices(const Rates& rates) {
+  const double fuel = rates.fuel_l_per_h * rates.fuel_price;
+  return {(rates.price_per_hour + fuel) / kHour_s, (rates.price_per_hour + kIdleFuelShare * fuel) / kHour_s};
+}
 
 std::string fault_of(const RateNumber& number, double value) {
   // Written so that NaN is a fault.
@@ -29,13 +39,6 @@ std::string operation_words() {
   for (int i = 0; i <= static_cast<int>(Operation::kDrone); ++i)
     out += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Operation>(i)));
   return out;
-}
-
-SecondPrices second_prices(const Rates& rates) {
-  constexpr double kSecondsPerHour = 3600;
-  const double fuel = rates.fuel_l_per_h * rates.fuel_price;
-  return {(rates.price_per_hour + fuel) / kSecondsPerHour,
-          (rates.price_per_hour + kIdleFuelShare * fuel) / kSecondsPerHour};
 }
 
 }  // namespace tramline

@@ -38,6 +38,7 @@ WholeCost whole_cost(const Plan& plan) {
   for (const RouteLeg& leg : plan.route.legs) {
     add_time(leg, out);
     if (leg.kind == LegKind::kBackOut) out.stops += rates.price_per_stop;
+    if (leg.missing_m > 0) out.without_room += kPriceWithoutRoom;
     fuel_s += leg.work ? leg.time_s : kIdleFuelShare * leg.time_s;
   }
   out.hours = rates.price_per_hour * out.time_s() / kSecondsPerHour;
@@ -64,6 +65,7 @@ WholeCost& WholeCost::operator+=(const WholeCost& other) {
   missed += other.missed;
   stops += other.stops;
   driven_over += other.driven_over;
+  without_room += other.without_room;
   return *this;
 }
 

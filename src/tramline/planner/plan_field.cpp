@@ -255,9 +255,7 @@ enum class Decides { kCostOfTracks, kWholeCost };
 Plan or_behind_passes_all_round(Plan plan, const PlanningProblem& problem, const Plan& layout,
                                 const SearchContext& context) {
   constexpr int kMostPasses = 6;
-  const auto price = [](const Plan& of) {
-    return compared_price(alternative_of(Alternative::kSearched, of));
-  };
+  const auto price = [](const Plan& of) { return whole_cost(of).euros(); };
   PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), plan.headland.obstacle_passes};
   passes.obstacles.resize(problem.field.obstacles.size(), 0);
   double least = price(plan), before = kAnyCost;

@@ -293,6 +293,7 @@ export interface WholeCost {
   euros_missed: number;
   euros_stops: number;
   euros_driven_over: number;
+  euros_without_room: number;
   rates: Required<Rates>;
 }
 export interface PlanSummary extends Tally {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct PlanFile {
   std::vector<std::vector<Point>> headland_lines;
   std::vector<DerivedNumber> derived;
   std::vector<DerivedText> derived_texts;
+  std::optional<StatedCost> stated_cost{};     ///< of a plan with a route; older files have none
   std::map<std::string, std::string> remarks;  ///< remarks of the program that keeps the file (remarks.h)
 };
 

@@ -1,24 +1,19 @@
 #include "tramline/io/plan/plan_metadata.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/field/field_values.h"
 #include "tramline/io/geopackage/key_values.h"
 #include "tramline/io/geopackage/local_crs.h"
-#include "tramline/io/plan/path_text.h"
+#include "tramline/io/plan/machine_values.h"
+#include "tramline/io/plan/plan_keys.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/route_rows.h"
-#include "tramline/model/plain_zero.h"
-#include "tramline/model/rate_values.h"
-#include "tramline/model/turning_values.h"
 
 namespace tramline::io {
 namespace {
@@ -39,8 +34,6 @@ constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
 constexpr const char* kGivenBy = "subfields.given_by";  // by subfield, where any was drawn
 constexpr const char* kLeftOut = "given_up.left_out";   // how many of the last polygons
-
-std::string machine_key(const char* key) { return std::string("machine.") + key; }
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -140,158 +133,18 @@ void complete_track_tally(int version, Plan& plan) {
   plan.track_tally = of_tracks;
 }
 
-/// The shortest number of degrees that makes the same angle, to the bit of its radians; where none does,
-/// the nearest. 15 degrees in radians and back are 14.999999999999998.
-double short_degrees(Angle angle) {
-  for (int digits = 1; digits < 17; ++digits) {
-    const double degrees = std::strtod(fmt::format("{:.{}g}", angle.degrees(), digits).c_str(), nullptr);
-    if (Angle::degrees(degrees) == angle) return degrees;
-  }
-  return angle.degrees();
-}
-
-class Writer : public FieldKeyWriter {
- public:
-  using FieldKeyWriter::operator();
-  /// `offset` leads from local metres to the coordinates of the file.
-  Writer(Metadata& out, Point offset) : FieldKeyWriter(out), offset_(offset) {}
-  void operator()(const std::string& key, EndRule value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, EdgeKind value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, Strategy value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, CellDirection value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, Avoidance value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, AbAnchor value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, HeadlandConstruction value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, PlanOrigin value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, HeadlandRule value) const { out()[key] = name(value); }
-  void operator()(const std::string& key, TurnPlanning value) const { out()[key] = name(value); }
-  /// Degrees are for people; radians are what is read back, to the bit.
-  void operator()(const std::string& key, Angle value) const {
-    (*this)(key + "_deg", short_degrees(value));
-    (*this)(key + "_rad", value.radians());
-  }
-  void operator()(const std::string& key, const std::vector<int>& values) const {
-    out()[key] = dumped(nlohmann::json(values));
-  }
-  void operator()(const std::string& key, const std::vector<Point>& line) const {
-    out()[key] = points_text(line, offset_);
-  }
-  void operator()(const std::string& key, const Path& path) const {
-    out()[key] = path_text_if_any(path, offset_);
-  }
-  void operator()(const std::string& key, const std::vector<Path>& paths) const {
-    nlohmann::json texts = nlohmann::json::array();
-    for (const Path& path : paths) texts.push_back(path_text_if_any(path, offset_));
-    out()[key] = dumped(texts);
-  }
-
- private:
-  Point offset_;
-};
-
-class Reader : public FieldKeyReader {
- public:
-  using FieldKeyReader::FieldKeyReader;
-  using FieldKeyReader::operator();
-  void operator()(const std::string& key, EndRule& value) { value = word(key, end_rule_named(text(key))); }
-  void operator()(const std::string& key, EdgeKind& value) { value = word(key, edge_kind_named(text(key))); }
-  void operator()(const std::string& key, Strategy& value) { value = word(key, strategy_named(text(key))); }
-  void operator()(const std::string& key, CellDirection& value) {
-    value = word(key, cell_direction_named(text(key)));
-  }
-  void operator()(const std::string& key, Avoidance& value) { value = word(key, avoidance_named(text(key))); }
-  void operator()(const std::string& key, TrackShape& value) {
-    value = word(key, track_shape_named(text(key)));
-  }
-  void operator()(const std::string& key, TrackConstruction& value) {
-    value = word(key, track_construction_named(text(key)));
-  }
-  void operator()(const std::string& key, AbAnchor& value) { value = word(key, ab_anchor_named(text(key))); }
-  void operator()(const std::string& key, HeadlandConstruction& value) {
-    value = word(key, headland_construction_named(text(key)));
-  }
-  void operator()(const std::string& key, PlanOrigin& value) {
-    value = word(key, plan_origin_named(text(key)));
-  }
-  void operator()(const std::string& key, HeadlandRule& value) {
-    value = word(key, headland_rule_named(text(key)));
-  }
-  void operator()(const std::string& key, TurnPlanning& value) {
-    value = word(key, turn_planning_named(text(key)));
-  }
-  void operator()(const std::string& key, Angle& value) {
-    double radians = 0;
-    (*this)(key + "_rad", radians);
-    value = Angle::radians(radians);
-  }
-  void operator()(const std::string& key, std::vector<int>& values) {
-    parse(key, [&](const nlohmann::json& list) {
-      // A loop over a number runs once.
-      if (!list.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
-      for (const nlohmann::json& item : list) values.push_back(count(item));
-    });
-  }
-  void operator()(const std::string& key, std::vector<Point>& line) {
-    line = points_from_text(text(key), offset_, place_of(key));
-  }
-  void operator()(const std::string& key, Path& path) {
-    path = path_from_text_if_any(text(key), offset_, place_of(key));
-  }
-  void operator()(const std::string& key, std::vector<Path>& paths) {
-    parse(key, [&](const nlohmann::json& list) {
-      if (!list.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
-      for (const nlohmann::json& item : list)
-        paths.push_back(path_from_text_if_any(item.get<std::string>(), offset_, place_of(key)));
-    });
-  }
-
-  /// What is taken off all coordinates from now on.
-  void shift_by(Point offset) { offset_ = offset; }
-
- private:
-  template <class Choice>
-  Choice word(const std::string& key, std::optional<Choice> choice) const {
-    if (!choice) throw wrong(key, "a word this version of tramline knows");
-    return *choice;
-  }
-  static int count(const nlohmann::json& item) {
-    if (!item.is_number_integer() || item.get<long long>() < 0 ||
-        item.get<long long>() > std::numeric_limits<int>::max())
-      throw nlohmann::json::other_error::create(0, "no count", nullptr);
-    return item.get<int>();
-  }
-
-  Point offset_{};
-};
-
-/// A reader of those keys alone that the file has.
-class PresentKeys {
- public:
-  PresentKeys(const Metadata& metadata, Reader& reader) : metadata_(metadata), reader_(reader) {}
-  template <class Value>
-  void operator()(const std::string& key, Value& value) {
-    if (metadata_.contains(key)) reader_(key, value);
-  }
-
- private:
-  const Metadata& metadata_;
-  Reader& reader_;
-};
-
 void write_turning_values(const Plan& plan, Metadata& out) {
   Metadata values, defaults;
   const Plan plain;
-  each_turning_value(plan, Writer(values, {}));
-  each_turning_value(plain, Writer(defaults, {}));
+  each_turning_value(plan, PlanKeyWriter(values, {}));
+  each_turning_value(plain, PlanKeyWriter(defaults, {}));
   out.merge(that_differ(values, defaults));
 }
 
 /// Is there a line that some of the tracks follow and others do not?
 bool has_own_lines(const Plan& plan) { return !common_reference(plan) && !references(plan).empty(); }
 
-void write_references(const Plan& plan, const Writer& writer) {
+void write_references(const Plan& plan, const PlanKeyWriter& writer) {
   writer(kReference, common_reference(plan).value_or(Path{}));
   if (!has_own_lines(plan)) return;
   std::vector<Path> lines;
@@ -304,7 +157,7 @@ bool has_given_subfields(const Plan& plan) {
                      [](const Subfield& subfield) { return !subfield.given_by.empty(); });
 }
 
-void write_given_land(const Plan& plan, const Writer& writer) {
+void write_given_land(const Plan& plan, const PlanKeyWriter& writer) {
   if (plan.left_out > 0) writer(kLeftOut, static_cast<int>(plan.left_out));
   if (!has_given_subfields(plan)) return;
   std::vector<std::string> origins;
@@ -312,62 +165,13 @@ void write_given_land(const Plan& plan, const Writer& writer) {
   writer(kGivenBy, origins);
 }
 
-/// All of them where any differs from the default: those who read the file need not know the defaults.
-void write_turning(const Turning& turning, const Writer& writer) {
-  if (turning == Turning{}) return;
-  writer(machine_key(kReverseKey), turning.reverse);
-  writer(machine_key(kImplementKey), std::string(name(turning.implement)));
-  for (const TurningNumber& number : kTurningNumbers) writer(machine_key(number.key), turning.*number.value);
-}
-
-Turning read_turning(const Reader& reader) {
-  Turning out;
-  reader(machine_key(kReverseKey), out.reverse);
-  const std::string implement = machine_key(kImplementKey);
-  const auto coupling = coupling_named(reader.text(implement));
-  if (!coupling) throw reader.wrong(implement, "mounted or towed");
-  out.implement = *coupling;
-  for (const TurningNumber& number : kTurningNumbers) {
-    const std::string key = machine_key(number.key);
-    reader(key, out.*number.value);
-    if (!fault_of(number, out.*number.value).empty()) throw reader.wrong(key, "a value that machines have");
-  }
-  if (!drawbar_fault(out).empty())
-    throw reader.wrong(machine_key(kDrawbarKey),
-                       "a length of a towed implement's drawbar, 0 for a mounted one");
-  return out;
-}
-
-/// Those that differ from what is usual for the operation.
-void write_rates(const Rates& rates, const Writer& writer) {
-  if (rates == Rates{}) return;
-  writer(machine_key(kOperationKey), std::string(name(rates.operation)));
-  for (const RateNumber& number : kRateNumbers)
-    if (rates.*number.value >= 0) writer(machine_key(number.key), rates.*number.value);
-}
-
-Rates read_rates(const Reader& reader, const Metadata& metadata) {
-  Rates out;
-  const std::string operation = machine_key(kOperationKey);
-  const auto named = operation_named(reader.text(operation));
-  if (!named) throw reader.wrong(operation, "an operation that this version of tramline knows");
-  out.operation = *named;
-  for (const RateNumber& number : kRateNumbers) {
-    const std::string key = machine_key(number.key);
-    if (!metadata.contains(key)) continue;
-    reader(key, out.*number.value);
-    if (!fault_of(number, out.*number.value).empty()) throw reader.wrong(key, "a value that machines have");
-  }
-  return out;
-}
-
-Aim read_aim(const Reader& reader) {
+Aim read_aim(const PlanKeyReader& reader) {
   const auto aim = aim_named(reader.text(kAim));
   if (!aim) throw reader.wrong(kAim, "cost or whole_cost");
   return *aim;
 }
 
-void write_edge_passes(const Plan& plan, const Writer& writer) {
+void write_edge_passes(const Plan& plan, const PlanKeyWriter& writer) {
   if (!plan.settings.headland_edges.empty()) writer(kHeadlandEdges, plan.settings.headland_edges);
   if (!plan.headland.edge_passes.empty()) writer(kEdgePasses, plan.headland.edge_passes);
 }
@@ -386,7 +190,7 @@ int version_for(const Plan& plan) {
 
 Metadata metadata_of(const Plan& plan) {
   Metadata out;
-  const Writer writer(out, offset_of(plan.field.frame));
+  const PlanKeyWriter writer(out, offset_of(plan.field.frame));
   each_value(plan, writer);
   each_value_since_headlands(plan, writer);
   each_value_since_whole_figures(plan, writer);
@@ -403,8 +207,7 @@ Metadata metadata_of(const Plan& plan) {
   if (plan.stop_rule == StopRule::kNoWayOff) out[kStopRule] = kNoWayOff;
   write_references(plan, writer);
   write_given_land(plan, writer);
-  write_turning(plan.machine.turning, writer);
-  write_rates(plan.machine.rates, writer);
+  write_machine_values(plan.machine, writer);
   if (plan.settings.aim != Aim::kCost) writer(kAim, std::string(name(plan.settings.aim)));
   write_edge_passes(plan, writer);
   out["format"] = kFormat;
@@ -419,7 +222,7 @@ Metadata metadata_of(const Plan& plan) {
 }
 
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
-  Reader reader(metadata, file, kPlanFile);
+  PlanKeyReader reader(metadata, file, kPlanFile);
   if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline plan'");
   int version = 0;
   reader("format_version", version);
@@ -434,10 +237,9 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
     plan.objective.subfield = 0;  // it had no price
     plan.figures = PlanFigures::kTracks;
   }
-  if (version >= kVersionWithTurning && metadata.contains(machine_key(kReverseKey)))
-    plan.machine.turning = read_turning(reader);
+  if (version >= kVersionWithTurning) apply_turning(metadata, reader, plan.machine);
   if (metadata.contains(kAim)) plan.settings.aim = read_aim(reader);
-  if (metadata.contains(machine_key(kOperationKey))) plan.machine.rates = read_rates(reader, metadata);
+  apply_rates(metadata, reader, plan.machine);
   if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
   if (metadata.contains(kPricesBound)) reader(kPricesBound, plan.proof.prices.bound);
   complete_track_tally(version, plan);
@@ -460,7 +262,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
 
 void apply_references(const Metadata& metadata, const std::filesystem::path& file, int version, Plan& plan) {
   if (version < kVersionWithHeadlands) return;
-  Reader reader(metadata, file, kPlanFile);
+  PlanKeyReader reader(metadata, file, kPlanFile);
   reader.shift_by(offset_of(plan.field.frame));
   Path common;
   reader(kReference, common);
@@ -477,7 +279,7 @@ void apply_references(const Metadata& metadata, const std::filesystem::path& fil
 }
 
 void apply_given_land(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
-  Reader reader(metadata, file, kPlanFile);
+  PlanKeyReader reader(metadata, file, kPlanFile);
   if (metadata.contains(kLeftOut)) {
     int count = 0;
     reader(kLeftOut, count);

@@ -339,6 +339,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_encounters(file, out);
   read_front(file, out);
   read_prices(file, out);
+  if (out.plan.route.planned()) out.stated_cost = stated_cost_in(metadata, path);
   derive_of_metadata(out, metadata);
   return out;
 }

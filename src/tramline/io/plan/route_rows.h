@@ -2,6 +2,7 @@
 // The route of a plan in its file: a layer of legs, and keys of the table `metadata`.
 
 #include <filesystem>
+#include <optional>
 
 #include "tramline/io/geopackage/metadata.h"
 #include "tramline/io/geopackage/rows.h"
@@ -20,11 +21,15 @@ void write_route_legs(const Target& target, const Plan& plan);
 /// stretches are of another form, or the legs are not numbered from 1 on.
 void read_route_legs(Rows& file, PlanFile& out);
 
-/// Settings that are not the default ones and, of a plan with a route, what proves it and what it leads over.
+/// Settings that are not the default ones and, of a plan with a route, what proves it, what it leads over,
+/// and its whole cost with all rates.
 void write_route_values(const Plan& plan, Metadata& out);
 
 /// The inverse. Gates are taken from the file's coordinates to those of the plan, whose frame has to be
 /// known. Throws Error(kBadInput) naming the key at fault.
 void apply_route_values(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
+
+/// What a file says that the route costs; nullopt where it says nothing. Throws as apply_route_values().
+std::optional<StatedCost> stated_cost_in(const Metadata& metadata, const std::filesystem::path& file);
 
 }  // namespace tramline::io

@@ -9,6 +9,7 @@
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/route_rows.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/rate_values.h"
 
 namespace tramline::io {
 namespace {
@@ -23,6 +24,11 @@ constexpr const char* kNodePrices = "route.node_prices_s";
 constexpr const char* kOverWorked = "route.over_worked_m";
 constexpr const char* kOverUnworked = "route.over_unworked_m";
 constexpr const char* kOverTracks = "route.over_tracks_m";
+constexpr const char* kHours = "whole_cost.hours";
+constexpr const char* kLitres = "whole_cost.litres";
+constexpr const char* kEuros = "whole_cost.euros";
+
+std::string rate_key(const char* key) { return std::string("whole_cost.rates.") + key; }
 
 void write_gate(const char* key, const std::optional<Point>& gate, Point offset, Metadata& out) {
   if (gate) out[key] = points_text({*gate}, offset);
@@ -34,10 +40,23 @@ class Values {
       : metadata_(metadata), read_(metadata, file, kPlanFile) {}
 
   bool has(const char* key) const { return metadata_.contains(key); }
-  double number(const char* key) const {
+  double number(const std::string& key) const {
     double out = 0;
     read_(key, out);
     return out;
+  }
+
+  double rate(const RateNumber& number_of) const {
+    const std::string key = rate_key(number_of.key);
+    const double out = number(key);
+    if (!fault_of(number_of, out).empty()) throw read_.wrong(key, "a value that machines have");
+    return out;
+  }
+  Operation operation() const {
+    const std::string key = rate_key(kOperationKey);
+    const auto out = operation_named(read_.text(key));
+    if (!out) throw read_.wrong(key, "an operation that this version of tramline knows");
+    return *out;
   }
 
   template <class Choice>
@@ -83,6 +102,16 @@ void write_settings(const Plan& plan, Metadata& out) {
   write_gate(kEnd, settings.end, offset, out);
 }
 
+void write_cost(const Plan& plan, const KeyWriter& writer) {
+  const WholeCost cost = whole_cost(plan);
+  writer(kHours, cost.time_s() / 3600);
+  writer(kLitres, cost.fuel_l);
+  writer(kEuros, cost.euros());
+  const Rates rates = rates_of(plan.machine);
+  writer(rate_key(kOperationKey), std::string(name(rates.operation)));
+  for (const RateNumber& number : kRateNumbers) writer(rate_key(number.key), rates.*number.value);
+}
+
 }  // namespace
 
 void write_route_values(const Plan& plan, Metadata& out) {
@@ -97,6 +126,7 @@ void write_route_values(const Plan& plan, Metadata& out) {
   writer(kOverWorked, route.over_worked_m);
   writer(kOverUnworked, route.over_unworked_m);
   writer(kOverTracks, route.over_tracks_m);
+  write_cost(plan, writer);
 }
 
 void apply_route_values(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
@@ -114,6 +144,18 @@ void apply_route_values(const Metadata& metadata, const std::filesystem::path& f
   plan.route.over_worked_m = values.number(kOverWorked);
   plan.route.over_unworked_m = values.number(kOverUnworked);
   plan.route.over_tracks_m = values.number(kOverTracks);
+}
+
+std::optional<StatedCost> stated_cost_in(const Metadata& metadata, const std::filesystem::path& file) {
+  const Values values(metadata, file);
+  if (!values.has(kEuros)) return std::nullopt;
+  StatedCost out;
+  out.hours_h = values.number(kHours);
+  out.litres = values.number(kLitres);
+  out.euros = values.number(kEuros);
+  out.rates.operation = values.operation();
+  for (const RateNumber& number : kRateNumbers) out.rates.*number.value = values.rate(number);
+  return out;
 }
 
 }  // namespace tramline::io

@@ -29,6 +29,15 @@ constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
+/// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
+constexpr std::size_t kFewTracks = 16;
+/// Tracks are moved behind so many depths of headland, where the plan costs no more than this share above the
+/// best one.
+constexpr std::size_t kDepths = 2;
+constexpr double kAsGood = 0.01;
+/// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
+constexpr std::size_t kDrafted = 12, kRouted = 2;
+
 /// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
 /// routes, headlands of other depths, and other obstacles with headlands.
 constexpr double kBegun = 0.2;
@@ -48,6 +57,11 @@ struct Entry {
 bool all_round(const PassesByBoundary& passes) {
   return std::adjacent_find(passes.edges.begin(), passes.edges.end(), std::not_equal_to<>()) ==
          passes.edges.end();
+}
+
+bool backs_out(const Plan& plan) {
+  return std::any_of(plan.route.legs.begin(), plan.route.legs.end(),
+                     [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
 }
 
 /// The passes all round; -1 for others.
@@ -77,8 +91,11 @@ class Comparison {
       plan_routes();
     }
     if (goes_on()) vary_depth();
+    if (goes_on()) vary_directions();
     context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
+    if (goes_on()) vary_grids();
+    if (goes_on() && backs_out(best().draft.plan)) improves(in_adjacent_order());
     context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
@@ -103,8 +120,11 @@ class Comparison {
     HeadlandTrial& trial = entry.laid.trial;
     trial.problem.settings.turns = TurnPlanning::kRoute;
     trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
+    // What order was taken is the planner's choice, as it was asked for.
+    trial.problem.settings.route.order = trial.draft.plan.settings.route.order =
+        problem_.settings.route.order;
     all_.push_back(alternative_of(entry.laid.kind, trial.draft.plan));
-    entry.price = compared_price(all_.back());
+    entry.price = all_.back().cost.euros();
   }
 
   /// What the routes of this field cost beyond their floors at the least, so far; of that a part may be
@@ -209,6 +229,57 @@ class Comparison {
     return cheaper;
   }
 
+  /// Directions that come near it behind other passes are laid behind those of the best plan.
+  void vary_directions() {
+    const PassesByBoundary passes = best().passes;
+    for (const std::size_t like : near_the_best()) {
+      const Plan& plan = entries_[like].laid.trial.draft.plan;
+      if (!is_known(plan, passes)) improves(layouts_.laid_out(Alternative::kSearched, plan, passes));
+    }
+  }
+
+  /// The best entries behind different passes that cost about the same, the best one first.
+  std::vector<std::size_t> about_as_good() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].price && *entries_[i].price <= (1 + kAsGood) * least_price()) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return *entries_[a].price < *entries_[b].price;
+    });
+    std::vector<std::size_t> out;
+    for (const std::size_t i : order) {
+      const bool known = std::any_of(out.begin(), out.end(), [&](std::size_t other) {
+        return entries_[i].laid.trial.passes == entries_[other].laid.trial.passes;
+      });
+      if (!known && out.size() < kDepths) out.push_back(i);
+    }
+    return out;
+  }
+
+  /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
+  /// which the cost of tracks knows nothing.
+  void vary_grids() {
+    for (const std::size_t i : about_as_good()) vary_grid(i);
+  }
+
+  void vary_grid(std::size_t of) {
+    const Plan& plan = entries_[of].laid.trial.draft.plan;
+    if (plan.pieces.empty() || plan.pieces.size() > kFewTracks || !problem_.field.obstacles.empty()) return;
+    std::vector<Entry> near;
+    for (LaidOut& laid : beside(entries_[of].laid, kDrafted)) {
+      const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
+      near.push_back({std::move(laid), floor});
+    }
+    std::stable_sort(near.begin(), near.end(),
+                     [](const Entry& a, const Entry& b) { return a.floor < b.floor; });
+    for (std::size_t i = 0; i < std::min(near.size(), kRouted); ++i) {
+      Entry& entry = near[i];
+      if (context_.has_to_end() || least_expected(entry) >= least_price()) return;
+      entries_.push_back(std::move(entry));
+      improves(entries_.size() - 1);
+    }
+  }
+
   /// Obstacles with headlands lose them, and those without get them.
   void vary_obstacles() {
     if (problem_.settings.obstacle_headland_rule != HeadlandRule::kTurns) return;
@@ -248,10 +319,20 @@ class Comparison {
       }
     }
     if (problem_.settings.route.order != TrackOrder::kBest) return;
-    LaidOut adjacent{Alternative::kAdjacent, best()};
-    adjacent.trial.problem.settings.route.order = TrackOrder::kBySpacing;
-    Entry entry{std::move(adjacent)};
+    const bool known = std::any_of(all_.begin(), all_.end(), [](const RouteAlternative& one) {
+      return one.kind == Alternative::kAdjacent;
+    });
+    if (known) return;
+    Entry entry{in_adjacent_order()};
     plan_route(entry);
+  }
+
+  /// The best plan with each track beside the one before. The quickest order may back out of ends that this
+  /// one leaves forward, which takes a little longer and costs less.
+  LaidOut in_adjacent_order() const {
+    LaidOut out{Alternative::kAdjacent, best()};
+    out.trial.problem.settings.route.order = TrackOrder::kBySpacing;
+    return out;
   }
 
   /// Passes all round take land from tracks, also beside them. Where they leave tracks most of the field that
@@ -274,7 +355,7 @@ class Comparison {
       Plan plan = room_for_turns();
       if (!plan.route.planned()) return plan;
       all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
-      if (compared_price(all_.back()) < least_price()) return plan;
+      if (all_.back().cost.euros() < least_price()) return plan;
     } catch (const Error& error) {
       if (!best_ || error.kind() != ErrorKind::kBadInput) throw;
     }
@@ -284,7 +365,7 @@ class Comparison {
   ComparedRoutes compared(std::optional<Plan> deepened) {
     ComparedRoutes out;
     std::stable_sort(all_.begin(), all_.end(), [](const RouteAlternative& a, const RouteAlternative& b) {
-      return compared_price(a) < compared_price(b);
+      return a.cost.euros() < b.cost.euros();
     });
     out.all = std::move(all_);
     if (deepened) {
@@ -302,9 +383,8 @@ class Comparison {
   static void put_first(const Plan& plan, std::vector<RouteAlternative>& all) {
     if (!plan.route.planned()) return;
     const double euros = whole_cost(plan).euros();
-    const auto at = std::find_if(all.begin(), all.end(), [&](const RouteAlternative& one) {
-      return one.kind != Alternative::kAdjacent && one.cost.euros() == euros;
-    });
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const RouteAlternative& one) { return one.cost.euros() == euros; });
     if (at != all.end()) std::rotate(all.begin(), at, at + 1);
   }
 
@@ -350,11 +430,6 @@ RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
   out.cost = whole_cost(plan);
   out.without_room = sums_of(plan.route).without_room;
   return out;
-}
-
-double compared_price(const RouteAlternative& one) {
-  constexpr double kWithoutRoom = 50;  // ten stops at the usual price
-  return one.cost.euros() + kWithoutRoom * static_cast<double>(one.without_room);
 }
 
 bool compares_routes(const PlanSettings& settings) {

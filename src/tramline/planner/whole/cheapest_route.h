@@ -18,9 +18,6 @@ PlanningProblem with_track_prices(PlanningProblem problem);
 
 /// What is told of a plan that has a route.
 RouteAlternative alternative_of(Alternative kind, const Plan& plan);
-/// The euros by which plans are compared: the whole cost, and 50 € for each leg without room, which cannot be
-/// driven as it is planned.
-double compared_price(const RouteAlternative& one);
 
 struct ComparedRoutes {
   Plan plan;                          ///< the cheapest
@@ -33,7 +30,7 @@ enum class Compare { kWhatMayWin, kAll };
 /// The plan with headlands as the turns of the problem need them, wherever tracks end.
 using RoomForTurns = std::function<Plan()>;
 
-/// Compares plans by what their whole routes cost (whole_cost(), compared_price()):
+/// Compares plans by what their whole routes cost (whole_cost()):
 /// the tracks of `layouts`, those of least cost behind the headlands, and tracks along the longest side and
 /// along the length of the field. Where headlands follow from turns they go all round the field, as many as
 /// the shallowest turn of the machine needs, and one more or less as long as that costs less; or only where

@@ -1,10 +1,12 @@
 #include "tramline/planner/whole/route_layouts.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
+#include "tramline/geometry/strip/track_frame.h"
 #include "tramline/headland/body.h"
 #include "tramline/planner/explain/longest_side.h"
 #include "tramline/planner/for_each_index.h"
@@ -53,6 +55,16 @@ std::vector<int> passes_asked(const PlanningProblem& problem) {
   return std::vector<int>(problem.field.outer.size(), settings.headlands);
 }
 
+/// The lines moved across and turned about a point.
+std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, Angle turned, Point about) {
+  for (LinedSubfield& one : lined) {
+    const double before_m = TrackFrame(one.subfield.direction).to_track(about).x;
+    one.subfield.direction = one.subfield.direction.rotated(turned);
+    one.origin_m += TrackFrame(one.subfield.direction).to_track(about).x - before_m + by_m;
+  }
+  return lined;
+}
+
 bool same_land(const PreparedField& a, const PreparedField& b) {
   return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable;
 }
@@ -71,6 +83,36 @@ bool same_directions(const Plan& a, const Plan& b) {
              angle_between(of_a.direction, of_b.direction).degrees() < kSameDirection_deg;
     });
   });
+}
+
+std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most) {
+  constexpr int kOffsets = 8;
+  constexpr std::array kTurned_deg = {0.0, -1.5, 1.5, -3.0, 3.0};
+  const HeadlandTrial& trial = laid.trial;
+  const std::vector<LinedSubfield> lined = lined_subfields_of(trial.found.best);
+  if (lined.empty() || !all_in(trial.draft.plan, lined.front().subfield.direction)) return {};
+  PlanningProblem problem = trial.problem;
+  problem.settings.turns = TurnPlanning::kNone;
+  const SearchTask task(problem, trial.prepared);
+  const Point middle = bounds(trial.prepared.ground.plannable.front().outer).centre();
+  std::vector<Candidate> found;
+  for (const double turned_deg : kTurned_deg)
+    for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i) {
+      Candidate candidate = candidate_on(
+          task, moved(lined, i * problem.machine.width_m / kOffsets, Angle::degrees(turned_deg), middle));
+      if (candidate.works()) found.push_back(std::move(candidate));
+    }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
+  std::vector<LaidOut> out;
+  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+    SearchResult result;
+    result.best = std::move(found[i]);
+    result.directions_tried = trial.found.directions_tried;
+    PlanDraft draft = drafted(task, result);
+    out.push_back({laid.kind, {trial.passes, problem, trial.prepared, std::move(result), std::move(draft)}});
+  }
+  return out;
 }
 
 RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Plan>& layouts,

@@ -12,6 +12,7 @@ const PARTS: { label: string; of: (cost: WholeCost) => number }[] = [
   { label: t`Missed land`, of: (c) => c.euros_missed },
   { label: t`Stops`, of: (c) => c.euros_stops },
   { label: t`Crop driven over`, of: (c) => c.euros_driven_over },
+  { label: t`Legs without room`, of: (c) => c.euros_without_room },
 ];
 
 export function CostParts({ cost }: { cost: WholeCost }) {
