@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "tramline/cost/bound/boundary_windows.h"
 #include "tramline/cost/bound/part_rows.h"
@@ -14,6 +15,14 @@
 
 namespace tramline {
 namespace {
+
+/// The same positions, sorted and disjoint.
+Intervals joined(Intervals all) {
+  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  Intervals out;
+  for (const Interval& one : all) append_joining(out, one);
+  return out;
+}
 
 /// The strips of the middle grid, and how far those of the others may differ. A grid that is turned about
 /// the pivot by the angle a sees the boundary, strip by strip and but for a shift along, moved
@@ -54,8 +63,9 @@ class Bound {
                     subfield_.ground.passable.empty() && subfield_.ground.beyond.empty() &&
                     subfield_.ground.field.empty();
     if (charges_near_)
-      passages_.emplace(subfield_, near_,
-                        PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_});
+      passages_.emplace(
+          subfield_, near_,
+          PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_, terms.at_obstacle});
   }
 
   double least_cost(double enough) {
@@ -227,10 +237,12 @@ class Bound {
   void add_near(int k) {
     find_pooled_rows();
     find_driven_rows(k);
+    sums_.fixed += objective_.stop * passages_->stops_at_ends(driven_, windows_);
     const double over = objective_.overlap;
     double driven_m = 0;
     for (const Interval& stretch : common(driven_, pooled_)) driven_m += stretch.length();
-    const double driven = over * width_ * driven_m + passages_->cost(driven_, pooled_, windows_);
+    const double driven =
+        over * width_ * driven_m + passages_->cost(driven_, joined(zones_), pooled_, windows_);
     near_apart_ += driven;
     near_together_.constant += driven;
     subtract_land();
@@ -241,9 +253,7 @@ class Bound {
     Intervals all = zones_;
     for (const BoundaryWindow& window : windows_)
       if (in_zone(window)) all.push_back({window.lowest - shear_, window.highest + shear_});
-    std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    pooled_.clear();
-    for (const Interval& one : all) append_joining(pooled_, one);
+    pooled_ = joined(std::move(all));
   }
 
   /// Subtracts λo times the most land that may lie in the pooled rows.
@@ -295,11 +305,7 @@ class Bound {
       add(0, least);
       add(width_ - least, width_);
     }
-    std::sort(stretches_.begin(), stretches_.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    Intervals joined;
-    for (const Interval& one : stretches_) append_joining(joined, one);
-    driven_ = without(joined, passages_->enter(grid_, k));
+    driven_ = without(joined(stretches_), passages_->enter(grid_, k));
     std::erase_if(driven_, [this](const Interval& one) { return one.length() < shortest_ + kNoPiece_m; });
   }
 
@@ -404,17 +410,9 @@ class Bound {
   bool has_free_stretch(double from, double to) const {
     if (to - from < least_length_) return false;
     if (blocked_.empty()) return true;
-    const Intervals free = without({{from, to}}, blocks());
+    const Intervals free = without({{from, to}}, joined(blocked_));
     return std::any_of(free.begin(), free.end(),
                        [this](const Interval& stretch) { return stretch.length() >= least_length_; });
-  }
-
-  Intervals blocks() const {
-    Intervals sorted = blocked_, out;
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    for (const Interval& block : sorted) append_joining(out, block);
-    return out;
   }
 
   struct Crossing {
