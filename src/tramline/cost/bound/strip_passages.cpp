@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/cost/bound/joined_intervals.h"
 #include "tramline/cost/bound/vacated_land.h"
 #include "tramline/cost/tolerances.h"
 
@@ -102,10 +103,7 @@ Intervals StripPassages::enter(const StripGrid& grid, int strip) {
     rows_.push_back(*rows);
     all.push_back(rows->rows);
   }
-  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  Intervals out;
-  for (const Interval& one : all) append_joining(out, one);
-  return out;
+  return joined(std::move(all));
 }
 
 double StripPassages::cost(const Intervals& driven, const Intervals& zones, const Intervals& pooled,
