@@ -134,7 +134,10 @@ class DearestPiece {
         const DetourReach& detour = detours_[k];
         if (detour.left_m > to_m || detour.right_m < from_m) continue;
         if (low_m > detour.land.max_y || low_m + look.step_m < detour.land.min_y) continue;
-        // Rows that a detour may replace are worth the highest price of the land that it works.
+        // Rows that a detour may replace are worth the highest price of the land that it works. All those
+        // within the circle round the land count, although no track is driven where its land has ended: on a
+        // small field that is some hundredths of a piece's worth too much, and it only ever refuses a proof.
+        // Without obstacles there are no such rows, and those beyond the land cost as much here as anywhere.
         row = std::max(row, prices_[k] * row_m2);
       }
       for (std::size_t k = 0; k < detours_.size(); ++k)

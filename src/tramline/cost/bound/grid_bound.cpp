@@ -4,9 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "tramline/cost/bound/boundary_windows.h"
-#include "tramline/cost/bound/part_rows.h"
+#include "tramline/cost/bound/certain_pieces.h"
+#include "tramline/cost/bound/joined_intervals.h"
+#include "tramline/cost/bound/pooled_land.h"
 #include "tramline/cost/bound/row_cost_bound.h"
 #include "tramline/cost/bound/strip_passages.h"
 #include "tramline/cost/bound/undriven_rows.h"
@@ -46,6 +49,7 @@ class Bound {
     moving_ = {width_, objective_.overlap, objective_.uncovered, pivot_.y, tangent_, fixed_shift_};
     shortest_ = std::max(tally_.terms().min_length_m, kNoPiece_m);
     least_length_ = shortest_ + 2 * shear_;
+    certain_ = CertainPieces({width_, shift_, shear_, rule, least_width_, shortest_});
     for_proof_ = terms.near == NearObstacles::kCharged && !subfield_.obstacles.empty();
     if (for_proof_)
       near_ = detour_zones(subfield_, {width_, detour_reach_, box.half_angle, shift_, terms.detours});
@@ -54,8 +58,9 @@ class Bound {
                     subfield_.ground.passable.empty() && subfield_.ground.beyond.empty() &&
                     subfield_.ground.field.empty();
     if (charges_near_)
-      passages_.emplace(subfield_, near_,
-                        PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_});
+      passages_.emplace(
+          subfield_, near_,
+          PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_, terms.at_obstacle});
   }
 
   double least_cost(double enough) {
@@ -71,8 +76,9 @@ class Bound {
     AffineBound together = sums_.together;
     const double least = std::max(sums_.apart, together.least(moving_.shift, moving_.turn));
     if (!charges_near_) return sums_.fixed + least;
-    together += near_together_;
-    const double pooled = std::max(sums_.apart + near_apart_, together.least(moving_.shift, moving_.turn));
+    together += near_sums_.together;
+    const double pooled =
+        std::max(sums_.apart + near_sums_.apart, together.least(moving_.shift, moving_.turn));
     return sums_.fixed + std::max(least, pooled);
   }
 
@@ -117,10 +123,7 @@ class Bound {
     }
   }
 
-  bool in_zone(double low, double high) const {
-    return std::any_of(zones_.begin(), zones_.end(),
-                       [&](const Interval& zone) { return zone.from < high && low < zone.to; });
-  }
+  bool in_zone(double low, double high) const { return reaches_between(zones_, low, high); }
   bool in_zone(const BoundaryWindow& window) const { return in_zone(window.lowest, window.highest); }
 
   /// Windows first … last of the strip.
@@ -225,95 +228,17 @@ class Bound {
   /// strip's rows that are driven for certain are worked, by its own swath or by a detour that takes as many
   /// rows. A strip that an obstacle blocks is cut, or the rows in between are worked by a detour too.
   void add_near(int k) {
-    find_pooled_rows();
-    find_driven_rows(k);
-    const double over = objective_.overlap;
+    const Intervals pooled = pooled_rows(windows_, zones_, shear_);
+    Intervals driven = without(certain_.rows_of(windows_), passages_->enter(grid_, k));
+    std::erase_if(driven, [this](const Interval& one) { return one.length() < shortest_ + kNoPiece_m; });
+    sums_.fixed += objective_.stop * passages_->stops_at_ends(driven, windows_);
     double driven_m = 0;
-    for (const Interval& stretch : common(driven_, pooled_)) driven_m += stretch.length();
-    const double driven = over * width_ * driven_m + passages_->cost(driven_, pooled_, windows_);
-    near_apart_ += driven;
-    near_together_.constant += driven;
-    subtract_land();
-  }
-
-  /// Sets pooled_: the rows that detours may work, with all of the windows that these reach into.
-  void find_pooled_rows() {
-    Intervals all = zones_;
-    for (const BoundaryWindow& window : windows_)
-      if (in_zone(window)) all.push_back({window.lowest - shear_, window.highest + shear_});
-    std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    pooled_.clear();
-    for (const Interval& one : all) append_joining(pooled_, one);
-  }
-
-  /// Subtracts λo times the most land that may lie in the pooled rows.
-  void subtract_land() {
-    const double over = objective_.overlap;
-    const auto subtract = [&](double land_m2) {
-      near_apart_ -= over * land_m2;
-      near_together_.constant -= over * land_m2;
-    };
-    thread_local PartRows rows;
-    bool inside = false;
-    for (std::size_t i = 0; i < windows_.size(); ++i) {
-      const BoundaryWindow& window = windows_[i];
-      if (in_zone(window)) {
-        double at = window.lowest;
-        rows.for_each(window.parts, width_, {}, [&](const PartRow& row) {
-          if (row.from > at) subtract(width_ * (row.from - at));
-          at = row.to;
-          const double length = row.to - row.from, shift = most_shift(row.from, row.to, moving_);
-          const double middle = 0.5 * (row.inside_from + row.inside_to);
-          near_apart_ -= over * length * std::min(width_, middle + shift);
-          const bool alone = row.parts.size() == 1;
-          const int sense = alone && rises(*row.parts.front()) ? 1 : -1;
-          const auto [low, high] = std::minmax(row.inside_from, row.inside_to);
-          if (!alone || low <= shift || high >= width_) {
-            near_together_.constant -= over * length * std::min(width_, middle + shift);
-            return;
-          }
-          near_together_ -= {over * length * middle, over * sense * length,
-                             over * sense * length * (0.5 * (row.from + row.to) - pivot_.y)};
-        });
-        if (window.highest > at) subtract(width_ * (window.highest - at));
-      }
-      inside = window.inside_after;
-      if (!inside || i + 1 >= windows_.size()) continue;
-      for (const Interval& full : common({{window.highest, windows_[i + 1].lowest}}, pooled_))
-        subtract(width_ * full.length());
-    }
-  }
-
-  /// Sets driven_: the rows of pieces that are driven in every grid.
-  void find_driven_rows(int k) {
-    stretches_.clear();
-    const auto add = [&](double left, double right) { append_free_stretches(left, right, stretches_); };
-    add(-shift_, width_ + shift_);
-    if (tally_.plain_criterion().by_centre_line) {
-      if (2 * shift_ < width_) add(0.5 * width_ - shift_, 0.5 * width_ + shift_);
-    } else if (const double least = least_width_ + shift_ + kWidthTolerance; least <= width_) {
-      add(0, least);
-      add(width_ - least, width_);
-    }
-    std::sort(stretches_.begin(), stretches_.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    Intervals joined;
-    for (const Interval& one : stretches_) append_joining(joined, one);
-    driven_ = without(joined, passages_->enter(grid_, k));
-    std::erase_if(driven_, [this](const Interval& one) { return one.length() < shortest_ + kNoPiece_m; });
-  }
-
-  /// The stretches in which the sub-strip lies inside for certain.
-  void append_free_stretches(double left, double right, Intervals& out) {
-    list_crossings({0, windows_.size() - 1}, left, right);
-    bool inside = false;
-    double free_from = -std::numeric_limits<double>::infinity();
-    for (const Crossing& crossing : crossings_) {
-      if (inside && crossing.lowest - free_from > 2 * shear_)
-        out.push_back({free_from + shear_, crossing.lowest - shear_});
-      inside ^= crossing.passes_middle;
-      free_from = std::max(free_from, crossing.highest);
-    }
+    for (const Interval& stretch : common(driven, pooled)) driven_m += stretch.length();
+    const double cost =
+        objective_.overlap * width_ * driven_m + passages_->cost(driven, joined(zones_), pooled, windows_);
+    near_sums_.apart += cost;
+    near_sums_.together.constant += cost;
+    subtract_land(windows_, zones_, pooled, moving_, near_sums_);
   }
 
   void add_passage(std::size_t i) {
@@ -358,69 +283,10 @@ class Bound {
 
   /// Whether a piece is driven in the group in every grid.
   bool has_piece(const Windows& group) {
-    const auto lies_in = [&](double left, double right) { return holds_piece(group, left, right); };
-    if (lies_in(-shift_, width_ + shift_)) return true;
-    if (tally_.plain_criterion().by_centre_line)
-      return 2 * shift_ < width_ && lies_in(0.5 * width_ - shift_, 0.5 * width_ + shift_);
-    const double least = least_width_ + shift_;
-    return least <= width_ && (lies_in(0, least) || lies_in(width_ - least, width_));
+    return certain_.any_in({windows_.begin() + static_cast<std::ptrdiff_t>(group.first),
+                            windows_.begin() + static_cast<std::ptrdiff_t>(group.last) + 1},
+                           blocked_.empty() ? Intervals{} : joined(blocked_));
   }
-
-  /// Whether the sub-strip from `left` to `right` lies inside over a stretch as long as a piece.
-  bool holds_piece(const Windows& group, double left, double right) {
-    list_crossings(group, left, right);
-    bool inside = false;
-    double free_from = -std::numeric_limits<double>::infinity();
-    for (const Crossing& crossing : crossings_) {
-      if (inside && has_free_stretch(free_from, crossing.lowest)) return true;
-      inside ^= crossing.passes_middle;
-      free_from = std::max(free_from, crossing.highest);
-    }
-    return false;
-  }
-
-  /// Sets crossings_: the parts of the boundary in the sub-strip, from low to high.
-  void list_crossings(const Windows& group, double left, double right) {
-    const double middle = 0.5 * (left + right);
-    const std::span parts(windows_[group.first].parts.data(),
-                          windows_[group.last].parts.data() + windows_[group.last].parts.size());
-    crossings_.clear();
-    for (const BoundaryPart& part : parts) {  // from low to high
-      double low = part.from.y, high = part.to.y;
-      if (std::max(part.from.x, part.to.x) < left || std::min(part.from.x, part.to.x) > right) continue;
-      if (part.from.x != part.to.x) {
-        const double slope = (high - low) / (part.to.x - part.from.x);
-        low = part.from.y + slope * (std::clamp(part.from.x, left, right) - part.from.x);
-        high = part.from.y + slope * (std::clamp(part.to.x, left, right) - part.from.x);
-      }
-      crossings_.push_back(
-          {std::min(low, high), std::max(low, high), (part.from.x > middle) != (part.to.x > middle)});
-    }
-    std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.lowest < b.lowest; });
-  }
-
-  /// Whether it is as long as a piece and clear of obstacles.
-  bool has_free_stretch(double from, double to) const {
-    if (to - from < least_length_) return false;
-    if (blocked_.empty()) return true;
-    const Intervals free = without({{from, to}}, blocks());
-    return std::any_of(free.begin(), free.end(),
-                       [this](const Interval& stretch) { return stretch.length() >= least_length_; });
-  }
-
-  Intervals blocks() const {
-    Intervals sorted = blocked_, out;
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    for (const Interval& block : sorted) append_joining(out, block);
-    return out;
-  }
-
-  struct Crossing {
-    double lowest, highest;
-    bool passes_middle;
-  };
 
   const GridTally& tally_;
   const TurnedSubfield& subfield_;
@@ -442,14 +308,12 @@ class Bound {
   Intervals undriven_;  ///< of the current run
   Intervals zones_;     ///< along the strip, where detours may be
   Intervals blocked_;   ///< where an obstacle may reach into it
-  std::vector<Crossing> crossings_;
+  CertainPieces certain_;
   bool for_proof_ = false;
   bool charges_near_ = false;  ///< whether land that detours may work is charged too
   std::vector<DetourZone> near_;
   std::optional<StripPassages> passages_{};  ///< where it is
-  Intervals pooled_, driven_, stretches_;
-  double near_apart_ = 0;  ///< cost of the land that detours may work, each window at its least
-  AffineBound near_together_;
+  RowBounds near_sums_;                      ///< cost of the land that detours may work
 };
 
 /// Whether one of the prices of land is less than half the actual one.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "tramline/cost/bound/detour_zones.h"
 #include "tramline/cost/grid/grid_tally.h"
@@ -32,6 +33,9 @@ struct BoundTerms {
   double detour_reach = 0;  ///< radius of the arcs that detours are made of, m
   DetoursOf detours = DetoursOf::kThisGrid;
   NearObstacles near = NearObstacles::kNothing;
+  /// Whether an obstacle lies beyond each edge of the part, the edges counted as those of
+  /// TurnedSubfield::outline (edges_at_obstacles()). None where this is empty.
+  std::vector<bool> at_obstacle{};
 };
 
 /// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every

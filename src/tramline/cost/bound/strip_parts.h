@@ -14,6 +14,7 @@ namespace tramline {
 struct BoundaryPart {
   Point from;
   Point to;
+  std::size_t edge = 0;  ///< of the outline, counted ring after ring
   double lowest() const { return std::min(from.y, to.y); }
   double highest() const { return std::max(from.y, to.y); }
 };

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "tramline/cost/bound/joined_intervals.h"
+#include "tramline/cost/bound/vacated_land.h"
 #include "tramline/cost/tolerances.h"
 
 namespace tramline {
 namespace {
 
-/// Whether both are boxes of the same ring, but for the precision grid.
-bool is_same(const Box& a, const Box& b) {
-  return std::max({std::abs(a.min_x - b.min_x), std::abs(a.max_x - b.max_x), std::abs(a.min_y - b.min_y),
-                   std::abs(a.max_y - b.max_y)}) < kWidthTolerance;
-}
+/// A ring of fewer corners is not gone round as a circle, whose middle is no farther from that of its box, as
+/// a share of its size.
+constexpr std::size_t kFewestOfCircle = 8;
+constexpr double kOffCircle_share = 0.05;
 
 bool contains_point(const Box& box, Point p) {
   return box.min_x <= p.x && p.x <= box.max_x && box.min_y <= p.y && p.y <= box.max_y;
@@ -36,14 +38,9 @@ Interval extent_along(const Ring& ring, double left, double right) {
   return out;
 }
 
-/// The points of a ring that lie farthest to either side among those in some rows.
-struct Farthest {
-  Point left{std::numeric_limits<double>::infinity(), 0};
-  Point right{-std::numeric_limits<double>::infinity(), 0};
-};
-
-Farthest farthest_across(const Ring& ring, const Interval& rows) {
-  Farthest out;
+/// The corners of a ring in some rows, and the points where it enters and leaves them.
+std::vector<Point> corners_in(const Ring& ring, const Interval& rows) {
+  std::vector<Point> out;
   Point a = ring.back();
   for (const Point b : ring) {
     const Point from = a;
@@ -51,142 +48,225 @@ Farthest farthest_across(const Ring& ring, const Interval& rows) {
     if (std::max(from.y, b.y) < rows.from || std::min(from.y, b.y) > rows.to) continue;
     for (const Point end : {from, b}) {
       const double y = std::clamp(end.y, rows.from, rows.to);
-      const double x = from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y));
-      if (x < out.left.x) out.left = {x, y};
-      if (x > out.right.x) out.right = {x, y};
+      out.push_back({from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y)), y});
     }
   }
   return out;
 }
 
-struct BlockedRows {
-  double rows_m = 0;    ///< between two pieces
-  double longer_m = 0;  ///< by which a detour is longer than its rows, at least
-};
+/// The least length of track over which a path comes back to it, from `aside_m` beside it and along an arc.
+double least_way_back(double aside_m, double arc_m) {
+  return aside_m < arc_m ? std::sqrt(aside_m * (2 * arc_m - aside_m)) : arc_m;
+}
 
 }  // namespace
 
+/// Makes it the way round another obstacle as well.
+void StripPassages::Way::meet(const Way& other) {
+  const double longest_m = std::max(longer_m, other.longer_m);
+  const bool both_fit = fits && other.fits;
+  *this = other;
+  longer_m = longest_m;
+  fits = both_fit;
+}
+
 StripPassages::StripPassages(const TurnedSubfield& subfield, const std::vector<DetourZone>& zones,
                              const PassageTerms& terms)
-    : subfield_(subfield), zones_(zones), terms_(terms) {
-  for (std::size_t i = 1; i < subfield.outline.size(); ++i) {
-    const Box hole = bounds(subfield.outline[i]);
-    const auto same = [&hole](const Box& obstacle) { return is_same(hole, obstacle); };
-    if (std::any_of(subfield.obstacles.begin(), subfield.obstacles.end(), same))
-      holes_.push_back({&subfield.outline[i], hole});
+    : zones_(zones), terms_(terms) {
+  const Box near = subfield.reach.grown(terms.width_m + terms.shift_m);
+  for (const Polygon& obstacle : subfield.ground.hard) {
+    const Box box = bounds(obstacle);
+    if (intersects(box, near)) obstacles_.push_back({&obstacle.outer, box});
   }
 }
 
-StripPassages::HoleRows StripPassages::rows_of(const Hole& hole, double left, double right) const {
-  HoleRows out;
-  out.hole = &hole;
-  const double low = left - terms_.shift_m, high = right + terms_.shift_m;
-  out.rows = extent_along(*hole.ring, low, high);
-  Point a = hole.ring->back();
-  for (const Point b : *hole.ring) {
-    out.edges += std::max(a.x, b.x) < low || std::min(a.x, b.x) > high ? 0 : 1;
-    a = b;
-  }
-  out.rows.from -= terms_.shear_m + kWidthTolerance;
-  out.rows.to += terms_.shear_m + kWidthTolerance;
-  const double inner = terms_.shift_m + 2 * kNoPiece_m;
-  out.blocks = hole.box.min_x < right - inner && hole.box.max_x > left + inner;
-  return out;
+std::optional<StripPassages::ObstacleRows> StripPassages::rows_of(const Obstacle& obstacle) const {
+  const double touch = terms_.shift_m + kWidthTolerance, inner = terms_.shift_m + 2 * kNoPiece_m;
+  if (obstacle.box.min_x > right_ + touch || obstacle.box.max_x < left_ - touch) return std::nullopt;
+  Interval rows = extent_along(*obstacle.ring, left_ - touch, right_ + touch);
+  if (rows.from > rows.to) return std::nullopt;
+  rows.from -= terms_.shear_m + kWidthTolerance;
+  rows.to += terms_.shear_m + kWidthTolerance;
+  const bool blocks = obstacle.box.min_x < right_ - inner && obstacle.box.max_x > left_ + inner;
+  return ObstacleRows{rows, blocks, &obstacle};
 }
 
 Intervals StripPassages::enter(const StripGrid& grid, int strip) {
   left_ = grid.line(strip);
-  right_ = grid.line(strip + 1);
+  right_ = left_ + terms_.width_m;
   centre_ = grid.centre(strip);
-  const double left = left_, right = left + terms_.width_m, touch = terms_.shift_m + kWidthTolerance;
   rows_.clear();
   Intervals all;
-  for (const Hole& hole : holes_) {
-    if (hole.box.min_x > right + touch || hole.box.max_x < left - touch) continue;
-    const HoleRows rows = rows_of(hole, left, right);
-    if (rows.edges == 0) continue;
-    rows_.push_back(rows);
-    all.push_back(rows.rows);
+  for (const Obstacle& obstacle : obstacles_) {
+    const std::optional<ObstacleRows> rows = rows_of(obstacle);
+    if (!rows) continue;
+    rows_.push_back(*rows);
+    all.push_back(rows->rows);
   }
-  const auto is_hole = [this](const Box& box) {
-    return std::any_of(holes_.begin(), holes_.end(),
-                       [&box](const Hole& hole) { return is_same(hole.box, box); });
-  };
-  for (const Box& box : subfield_.obstacles)
-    if (box.min_x <= right + touch && box.max_x >= left - touch && !is_hole(box))
-      all.push_back(
-          {box.min_y - terms_.shear_m - kWidthTolerance, box.max_y + terms_.shear_m + kWidthTolerance});
-  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  Intervals out;
-  for (const Interval& one : all) append_joining(out, one);
-  return out;
+  return joined(std::move(all));
 }
 
-double StripPassages::cost(const Intervals& driven, const Intervals& pooled,
+double StripPassages::cost(const Intervals& driven, const Intervals& zones, const Intervals& pooled,
                            const std::vector<BoundaryWindow>& windows) const {
-  const double cut = terms_.objective.turn + 2 * terms_.objective.stop;
-  std::vector<BlockedRows> blocked;
+  const Objective& price = terms_.objective;
+  const Interval land = land_in(windows);
+  thread_local std::vector<Passage> passages;
+  passages.clear();
   for (std::size_t i = 0; i + 1 < driven.size(); ++i) {
     const Interval between{driven[i].to, driven[i + 1].from};
-    if (!only_holes_in(between, windows)) continue;
-    BlockedRows these;
-    for (const Interval& one : common({between}, pooled)) these.rows_m += one.length();
-    for (const HoleRows& rows : rows_)
-      if (rows.blocks && rows.rows.from <= between.to && rows.rows.to >= between.from)
-        these.longer_m = std::max(these.longer_m, longer_round(*rows.hole));
-    blocked.push_back(these);
+    // Beyond a zone the pieces may be told apart by the land between them, and then pay their turns anyway.
+    if (!blocks_within(between.from, between.to) || !without({between}, zones).empty()) continue;
+    const bool stops = only_obstacles_in(between.from, between.to, windows);
+    Passage passage;
+    passage.cut = price.turn + (stops ? 2 * price.stop : 0);
+    for (const Interval& one : common({between}, pooled)) passage.rows_m += one.length();
+    const Interval piece{driven[i].from, driven[i + 1].to};
+    int met = 0;
+    for (const ObstacleRows& rows : rows_) {
+      if (rows.rows.from < between.from || rows.rows.to > between.to) continue;
+      ++met;
+      if (!rows.blocks) continue;
+      const WaysRound ways = ways_round(*rows.obstacle, piece, land);
+      passage.ways.left.meet(ways.left);
+      passage.ways.right.meet(ways.right);
+      passage.alone = &rows;
+    }
+    if (met != 1 || !is_alone(*passage.alone)) passage.alone = nullptr;
+    passages.push_back(passage);
   }
   double sum = 0;
-  for (const BlockedRows& these : blocked) {
-    const double longer_m = these.longer_m / static_cast<double>(blocked.size());
-    sum += std::min(cut, terms_.objective.overlap * terms_.width_m * (these.rows_m + longer_m));
+  for (const Passage& passage : passages) {
+    double least = passage.cut;
+    for (const Way* way : {&passage.ways.left, &passage.ways.right}) {
+      if (!way->fits) continue;
+      const double longer_m = way->longer_m / static_cast<double>(passages.size());
+      double round = price.overlap * terms_.width_m * (passage.rows_m + longer_m);
+      if (round < least && passage.alone) round += (price.overlap + price.uncovered) * vacated(*way, windows);
+      least = std::min(least, round);
+    }
+    sum += least;
   }
   return sum;
 }
 
-/// By how much a detour of the strip round the hole, on either side, is longer than its rows: it has to
-/// pass the hole's farthest point in those rows by half a width, and it has no more rows for the way there
-/// and back than from the ends of its zone.
-double StripPassages::longer_round(const Hole& hole) const {
-  const double left = left_ + terms_.shift_m + 2 * kNoPiece_m,
-               right = right_ - terms_.shift_m - 2 * kNoPiece_m;
-  const double turned =
-      2 * (terms_.tangent * (hole.box.width() + hole.box.height() + 2 * terms_.width_m) + terms_.shear_m);
-  Interval rows = extent_along(*hole.ring, left, right);
-  rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
-  if (rows.from >= rows.to) return 0;
-  const auto zone = std::find_if(zones_.begin(), zones_.end(), [&hole](const DetourZone& one) {
-    return contains_point(one.obstacles, hole.box.centre());
-  });
-  if (zone == zones_.end()) return 0;
-  const Farthest far = farthest_across(*hole.ring, rows);
-  const auto longer_by = [&](Point past, double aside) {
-    const double rise = std::max(0.0, aside + 0.5 * terms_.width_m - terms_.shift_m - kNoPiece_m);
-    const double reach =
-        2 * terms_.detour_reach_m + kDetourFoot * rise + turned + terms_.width_m * kNoPiece_m;
-    double sum = 0;
-    for (const double run : {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
-      sum += std::hypot(run, rise) - run;
-    return sum;
-  };
-  return std::min(longer_by(far.left, centre_ - far.left.x), longer_by(far.right, far.right.x - centre_));
+int StripPassages::stops_at_ends(const Intervals& driven, const std::vector<BoundaryWindow>& windows) const {
+  if (driven.empty()) return 0;
+  const Interval land = land_in(windows);
+  const Interval first = driven.front(), last = driven.back();
+  bool below = false, above = false;
+  for (const ObstacleRows& one : rows_) {
+    if (!one.blocks) continue;
+    if (!below && one.rows.to <= first.from && only_obstacles_in(one.rows.from, first.from, windows))
+      below = !ways_round(*one.obstacle, first, land).any();
+    if (!above && one.rows.from >= last.to && only_obstacles_in(last.to, one.rows.to, windows))
+      above = !ways_round(*one.obstacle, last, land).any();
+  }
+  return (below ? 1 : 0) + (above ? 1 : 0);
 }
 
-/// Whether all of the boundary between two pieces is that of holes, of which one is in the way.
-bool StripPassages::only_holes_in(const Interval& between, const std::vector<BoundaryWindow>& windows) const {
-  int edges = 0, parts = 0;
-  bool blocked = false;
-  for (const HoleRows& rows : rows_) {
-    if (rows.rows.from > between.to || rows.rows.to < between.from) continue;
-    edges += rows.edges;
-    blocked = blocked || rows.blocks;
+/// All rows with land in the strip.
+Interval StripPassages::land_in(const std::vector<BoundaryWindow>& windows) const {
+  double top = windows.front().highest;
+  for (const BoundaryWindow& window : windows) top = std::max(top, window.highest);
+  return {windows.front().lowest - terms_.shear_m, top + terms_.shear_m};
+}
+
+/// Detours of the strip round the obstacle. The obstacle lies on one side of a piece that is driven past all
+/// of its rows; else those of its points do that lie in the rows in which it is in the strip. The detour
+/// passes each of them by half a width. It has no more rows for the way there and back than from the ends of
+/// its zone, and it leaves the track, and is back on it, where there is land in the strip.
+StripPassages::WaysRound StripPassages::ways_round(const Obstacle& obstacle, const Interval& piece,
+                                                   const Interval& land) const {
+  const Box& box = obstacle.box;
+  const double left = left_ + terms_.shift_m + 2 * kNoPiece_m,
+               right = right_ - terms_.shift_m - 2 * kNoPiece_m;
+  const double turned = turned_m(obstacle);
+  Interval rows = extent_along(*obstacle.ring, left, right);
+  rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
+  if (piece.from < box.min_y - turned - kNoPiece_m && piece.to > box.max_y + turned + kNoPiece_m)
+    rows = {box.min_y, box.max_y};
+  const auto zone = std::find_if(zones_.begin(), zones_.end(), [&box](const DetourZone& one) {
+    return contains_point(one.obstacles, box.centre());
+  });
+  WaysRound out;
+  if (rows.from >= rows.to || zone == zones_.end()) return out;
+  const auto pass = [&](Point past, double aside, Way& way) {
+    const double rise = aside + 0.5 * terms_.width_m - terms_.shift_m - kNoPiece_m;
+    if (rise <= 0 || !way.fits) return;
+    const double reach =
+        2 * terms_.detour_reach_m + kDetourFoot * rise + turned + terms_.width_m * kNoPiece_m;
+    double longer_m = 0;
+    for (const double run : {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
+      longer_m += std::hypot(run, rise) - run;
+    way.longer_m = std::max(way.longer_m, longer_m);
+    const double room = std::min(past.y - land.from, land.to - past.y) + turned + kNoPiece_m;
+    way.fits = room >= least_way_back(rise, terms_.detour_reach_m);
+    if (rise > way.aside_m) {
+      way.past = past;
+      // A circle is gone round as one, past its middle.
+      const bool may_be_round = obstacle.ring->size() >= kFewestOfCircle;
+      way.slack_m = turned + kNoPiece_m +
+                    (may_be_round ? std::abs(past.y - box.centre().y) + kOffCircle_share * box.height() : 0);
+    }
+    way.aside_m = std::max(way.aside_m, rise);
+  };
+  for (const Point past : corners_in(*obstacle.ring, rows)) {
+    pass(past, centre_ - past.x, out.left);
+    pass(past, past.x - centre_, out.right);
   }
+  return out;
+}
+
+/// By how much points of an obstacle may lie elsewhere along, and those of the strips near it.
+double StripPassages::turned_m(const Obstacle& obstacle) const {
+  const Box& box = obstacle.box;
+  return 2 * (terms_.tangent * (box.width() + box.height() + 2 * terms_.width_m) + terms_.shear_m);
+}
+
+/// Whether no other strip has a detour where this obstacle is: it reaches into no other, in no grid, and no
+/// detours round others come so near.
+bool StripPassages::is_alone(const ObstacleRows& rows) const {
+  const Box& box = rows.obstacle->box;
+  const double margin = terms_.shift_m + kWidthTolerance;
+  if (box.min_x - margin <= left_ || box.max_x + margin >= right_) return false;
+  const auto zone = std::find_if(zones_.begin(), zones_.end(), [&box](const DetourZone& one) {
+    return contains_point(one.obstacles, box.centre());
+  });
+  if (zone == zones_.end() || zone->count != 1) return false;
+  const Box strip{left_ - margin, zone->land.min_y - terms_.shear_m, right_ + margin,
+                  zone->land.max_y + terms_.shear_m};
+  return std::none_of(zones_.begin(), zones_.end(), [&](const DetourZone& one) {
+    return &one != &*zone && intersects(one.land.grown(terms_.shift_m + terms_.shear_m), strip);
+  });
+}
+
+/// Land of the strip that nobody works where its own detour goes this way.
+double StripPassages::vacated(const Way& way, const std::vector<BoundaryWindow>& windows) const {
+  if (way.aside_m <= 0) return 0;
+  Intervals full;
+  for (std::size_t i = 0; i + 1 < windows.size(); ++i)
+    if (windows[i].inside_after)
+      full.push_back({windows[i].highest + terms_.shear_m, windows[i + 1].lowest - terms_.shear_m});
+  return vacated_m2({way.past.y, way.aside_m, terms_.detour_reach_m, terms_.width_m, way.slack_m}, full);
+}
+
+/// Whether an obstacle is in the way between these coordinates along, in every grid.
+bool StripPassages::blocks_within(double from, double to) const {
+  return std::any_of(rows_.begin(), rows_.end(), [&](const ObstacleRows& one) {
+    return one.blocks && one.rows.from >= from && one.rows.to <= to;
+  });
+}
+
+/// Whether all of the boundary between these coordinates along has an obstacle beyond it.
+bool StripPassages::only_obstacles_in(double from, double to,
+                                      const std::vector<BoundaryWindow>& windows) const {
+  if (terms_.at_obstacle.empty()) return false;
   for (const BoundaryWindow& window : windows)
     for (const BoundaryPart& part : window.parts)
-      parts += part.lowest() <= between.to + terms_.shear_m && part.highest() >= between.from - terms_.shear_m
-                   ? 1
-                   : 0;
-  return blocked && parts == edges;
+      if (part.lowest() <= to + terms_.shear_m && part.highest() >= from - terms_.shear_m &&
+          !terms_.at_obstacle[part.edge])
+        return false;
+  return true;
 }
 
 }  // namespace tramline

@@ -7,7 +7,6 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/prove/detour_groups.h"
 #include "tramline/planner/prove/price_program.h"
 #include "tramline/planner/prove/strip_sweep.h"
 
@@ -37,20 +36,13 @@ class PriceSearch {
  public:
   PriceSearch(const SearchTask& task, Direction along, const SearchContext& context,
               const PriceEffort& effort)
-      : context_(context),
-        effort_(effort),
-        price_(task.objective),
-        terms_{task.machine.width_m, std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
-               task.settings.avoid != Avoidance::kPaper} {
+      : context_(context), effort_(effort), price_(task.objective), width_m_(task.machine.width_m) {
     const Region& ground = task.ground.plannable;
     const Region land = task.ground.passable.empty() ? ground : difference(ground, task.ground.passable);
-    grid_ = price_grid(land, ground, along, effort.most_cells, terms_.width_m / 3);
+    grid_ = price_grid(land, ground, along, effort.most_cells, width_m_ / 3);
     const TrackFrame& frame = grid_.frame;
     const Region turned = frame.to_track(land);
     set_scale(bounds(frame.to_track(ground)));
-    groups_ = detour_groups(task.ground.hazards, ground, terms_);
-    for (DetourGroup& group : groups_)
-      for (Point& corner : group.corners) corner = frame.to_track(corner);
     labels_ = std::make_unique<GroundLabels>(grid_, turned, frame.to_track(task.ground.passable),
                                              scale_.reach_m(), 0.5 * scale_.step_m());
   }
@@ -60,8 +52,8 @@ class PriceSearch {
     for (const PriceGrid::Cell& cell : grid_.cells) inside_m2.push_back(cell.inside_m2);
     PriceProgram program(inside_m2, price_.uncovered);
     // Prices that no piece collects more of than its turn, if only because none is so long.
-    std::vector<double> prices(
-        inside_m2.size(), std::min(price_.uncovered, price_.turn / (2 * terms_.width_m * scale_.radius_m)));
+    std::vector<double> prices(inside_m2.size(),
+                               std::min(price_.uncovered, price_.turn / (2 * width_m_ * scale_.radius_m)));
     std::vector<double> best;
     double most_value = 0;
     for (int round = 0; round < effort_.rounds && !context_.has_to_end(); ++round) {
@@ -92,11 +84,11 @@ class PriceSearch {
  private:
   void set_scale(const Box& box) {
     pivot_ = box.centre();
-    scale_.width_m = terms_.width_m;
+    scale_.width_m = width_m_;
     scale_.radius_m = 0.5 * std::hypot(box.width(), box.height());
     const double step_m =
         std::cbrt(std::numbers::pi * scale_.radius_m * box.width() * box.height() / effort_.samples);
-    scale_.lines = std::clamp(static_cast<int>(terms_.width_m / step_m), effort_.fewest_lines, kMostLines);
+    scale_.lines = std::clamp(static_cast<int>(width_m_ / step_m), effort_.fewest_lines, kMostLines);
     directions_ =
         std::max(kStride, static_cast<int>(std::ceil(std::numbers::pi * scale_.radius_m / scale_.step_m())));
     scale_.half_angle = std::numbers::pi / (2 * directions_);
@@ -144,7 +136,7 @@ class PriceSearch {
     std::vector<Looked> found(static_cast<std::size_t>((directions_ - phase + stride - 1) / stride));
     for_each_index(found.size(), context_.uncounted(), [&](std::size_t i) {
       const double angle = (2 * (phase + stride * static_cast<double>(i)) + 1) * scale_.half_angle;
-      found[i] = look_along(angle, by, prices, worth);
+      found[i] = look_along(angle, by, worth);
     });
     double most = 0;
     for (const Looked& one : found) {
@@ -155,10 +147,9 @@ class PriceSearch {
     return most;
   }
 
-  Looked look_along(double angle, const SweepScale& by, const std::vector<double>& prices,
-                    const PixelWorth& worth) const {
+  Looked look_along(double angle, const SweepScale& by, const PixelWorth& worth) const {
     StripSweep sweep(*labels_, worth, by, pivot_);
-    sweep.lay(angle, zones(angle, prices));
+    sweep.lay(angle);
     Looked out;
     out.most = sweep.most();
     // One at most for each width.
@@ -176,41 +167,14 @@ class PriceSearch {
     return out;
   }
 
-  std::vector<SweepZone> zones(double angle, const std::vector<double>& prices) const {
-    if (groups_.empty()) return {};
-    const Point up{std::sin(angle), std::cos(angle)}, right{up.y, -up.x};
-    const auto turned = [&](Point p) { return Point{dot(p - pivot_, right), dot(p - pivot_, up)}; };
-    std::vector<GroupZone> lands;
-    for (const DetourGroup& group : groups_) {
-      Box box;
-      for (const Point corner : group.corners) box.extend(turned(corner));
-      lands.push_back(detour_zone(group, box, terms_, scale_.reach_m()));
-    }
-    reach_for_others(lands);
-    std::vector<SweepZone> out;
-    for (const GroupZone& zone : lands) {
-      SweepZone& to = out.emplace_back();
-      to = {zone.box.min_x, zone.box.max_x, zone.land.min_y, zone.land.max_y, zone.longer_m};
-      for (std::size_t i = 0; i < prices.size(); ++i) {
-        const Point at = turned(grid_.box(grid_.cells[i]).centre());
-        const Box cell = Box{at.x, at.y, at.x, at.y}.grown(grid_.side_m * std::numbers::sqrt2 / 2);
-        if (prices[i] <= to.price || !intersects(cell, zone.land)) continue;
-        to.price = prices[i];
-        to.label = static_cast<int>(i);
-      }
-    }
-    return out;
-  }
-
   SearchContext context_;
   PriceEffort effort_;
   Objective price_;
-  Detouring terms_;
+  double width_m_;
   PriceGrid grid_;
   Point pivot_;
   SweepScale scale_;
   int directions_ = 1;
-  std::vector<DetourGroup> groups_;  ///< corners in the plane of the grid
   std::unique_ptr<GroundLabels> labels_;
 };
 
@@ -218,7 +182,9 @@ class PriceSearch {
 
 GroundPrices proven_prices(const SearchTask& task, Direction along, const SearchContext& context,
                            const PriceEffort& effort) {
-  if (task.ground.plannable.empty() || !(task.objective.turn > 0) || !(task.objective.uncovered > 0))
+  // Detours round an obstacle would work land beside the strips that are swept.
+  if (!task.ground.hazards.empty() || task.ground.plannable.empty() || !(task.objective.turn > 0) ||
+      !(task.objective.uncovered > 0))
     return {};
   return PriceSearch(task, along, context, effort).run();
 }

@@ -17,7 +17,8 @@ struct PriceEffort {
 
 /// Prices of square cells such that no piece of a plan is worth more than its turn: no plan of
 /// tracks costs less than the sum of prices and land, less one turn (docs/bounds.md). Cells lie along the
-/// given direction. Local metres.
+/// given direction. Local metres. None where obstacles are in the way: planning_problem() refuses to prove
+/// anything of such fields.
 GroundPrices proven_prices(const SearchTask& task, Direction along, const SearchContext& context,
                            const PriceEffort& effort = {});
 

@@ -13,8 +13,7 @@ double SweepScale::reach_m() const {
   return step_m() * (0.5 + std::numbers::sqrt2 / 2) + radius_m * half_angle + kRounding_m;
 }
 
-void StripSweep::lay(double angle, std::vector<SweepZone> zones) {
-  zones_ = std::move(zones);
+void StripSweep::lay(double angle) {
   up_ = {std::sin(angle), std::cos(angle)};
   right_ = {up_.y, -up_.x};
   const Box land = ground_.box();
@@ -40,8 +39,7 @@ void StripSweep::lay(double angle, std::vector<SweepZone> zones) {
   sums_.assign(static_cast<std::size_t>(rows_), 0);
   // Swaths begin up to their width left of the land.
   best_.assign(static_cast<std::size_t>(lines_ + scale_.lines - 1), {});
-  std::vector<double> rows;
-  for (int offset = 0; offset < offsets(); ++offset) look(offset, rows);
+  for (int offset = 0; offset < offsets(); ++offset) look(offset);
 }
 
 std::int32_t StripSweep::set_at(int line, int row) const {
@@ -50,9 +48,8 @@ std::int32_t StripSweep::set_at(int line, int row) const {
                static_cast<std::size_t>(row)];
 }
 
-void StripSweep::look(int offset, std::vector<double>& rows) {
+void StripSweep::look(int offset) {
   const double pixel_m2 = scale_.step_m() * scale_.step_m();
-  rows.resize(sums_.size());
   if (offset % scale_.lines == 0) {
     // Afresh now and then, so that rounding does not add up.
     std::fill(sums_.begin(), sums_.end(), 0);
@@ -61,8 +58,6 @@ void StripSweep::look(int offset, std::vector<double>& rows) {
     add_line(offset, 1);
     add_line(offset - scale_.lines, -1);
   }
-  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = sums_[row] * pixel_m2;
-  if (!zones_.empty()) add_zones(offset, rows);
   // Of all stretches of rows the one with the largest sum.
   Best& best = best_[static_cast<std::size_t>(offset)];
   best = {};
@@ -73,7 +68,7 @@ void StripSweep::look(int offset, std::vector<double>& rows) {
       sum = 0;
       from = row;
     }
-    sum += rows[static_cast<std::size_t>(row)];
+    sum += sums_[static_cast<std::size_t>(row)] * pixel_m2;
     if (sum > best.worth) best = {sum, from, row + 1};
   }
 }
@@ -85,31 +80,6 @@ void StripSweep::add_line(int line, double sign) {
   }
   const double* worth = &samples_[static_cast<std::size_t>(line) * sums_.size()];
   for (std::size_t row = 0; row < sums_.size(); ++row) sums_[row] += sign * worth[row];
-}
-
-int StripSweep::row_at(double along_m) const {
-  return std::clamp(static_cast<int>(std::floor(along_m / scale_.step_m())) - first_row_, 0, rows_ - 1);
-}
-
-std::vector<const SweepZone*> StripSweep::zones_at(int offset) const {
-  const double left = (first_line_ + offset - scale_.lines + 1) * scale_.step_m();
-  const double slack = 0.5 * scale_.step_m();
-  std::vector<const SweepZone*> out;
-  for (const SweepZone& zone : zones_)
-    if (left - slack <= zone.right_m && left + scale_.width_m + slack >= zone.left_m) out.push_back(&zone);
-  return out;
-}
-
-void StripSweep::add_zones(int offset, std::vector<double>& rows) const {
-  const std::vector<const SweepZone*> zones = zones_at(offset);
-  const double row_m2 = scale_.width_m * scale_.step_m();
-  for (const SweepZone* zone : zones)
-    for (int row = row_at(zone->from_m); row <= row_at(zone->to_m); ++row)
-      rows[static_cast<std::size_t>(row)] =
-          std::max(rows[static_cast<std::size_t>(row)], zone->price * row_m2);
-  // All rows of a zone are worth something, so that the best piece has them all or none.
-  for (const SweepZone* zone : zones)
-    rows[static_cast<std::size_t>(row_at(zone->from_m))] += zone->price * scale_.width_m * zone->longer_m;
 }
 
 double StripSweep::most() const {
@@ -124,31 +94,9 @@ PieceWorth StripSweep::piece(int offset) const {
   out.worth = best.worth;
   std::map<int, double> areas;
   const double pixel_m2 = scale_.step_m() * scale_.step_m();
-  const double row_m2 = scale_.width_m * scale_.step_m();
-  const std::vector<const SweepZone*> zones =
-      zones_.empty() ? std::vector<const SweepZone*>{} : zones_at(offset);
-  const auto in = [&](const SweepZone& zone, int row) {
-    return row >= row_at(zone.from_m) && row <= row_at(zone.to_m);
-  };
-  for (int row = best.from; row < best.to; ++row) {
-    double sum = 0;
+  for (int row = best.from; row < best.to; ++row)
     for (int i = 0; i < scale_.lines; ++i)
-      sum += worth_.worth[static_cast<std::size_t>(set_at(offset - scale_.lines + 1 + i, row))] * pixel_m2;
-    const SweepZone* dearest = nullptr;
-    for (const SweepZone* zone : zones)
-      if (in(*zone, row) && zone->price * row_m2 > sum) {
-        dearest = zone;
-        sum = zone->price * row_m2;
-      }
-    if (dearest != nullptr) {
-      areas[dearest->label] += row_m2;
-    } else {
-      for (int i = 0; i < scale_.lines; ++i)
-        areas[worth_.label[static_cast<std::size_t>(set_at(offset - scale_.lines + 1 + i, row))]] += pixel_m2;
-    }
-    for (const SweepZone* zone : zones)
-      if (row == row_at(zone->from_m)) areas[zone->label] += scale_.width_m * zone->longer_m;
-  }
+      areas[worth_.label[static_cast<std::size_t>(set_at(offset - scale_.lines + 1 + i, row))]] += pixel_m2;
   for (const auto& [label, area_m2] : areas) {
     if (label == GroundLabels::kOutside) out.outside_m2 = area_m2;
     if (label >= 0) out.area_m2.emplace_back(label, area_m2);

@@ -8,15 +8,6 @@
 
 namespace tramline {
 
-/// Land on which detours of one piece may run, in the turned plane of a sweep, for all directions near it.
-struct SweepZone {
-  double left_m = 0, right_m = 0;       ///< of the obstacles, across: pieces that meet it may have the detour
-  double from_m = 0, to_m = 0;          ///< rows that the detour may replace
-  double longer_m = 0;                  ///< by how much it is longer than its rows, at most
-  double price = 0;                     ///< the highest of the land that detours may work, not negative
-  int label = GroundLabels::kPassable;  ///< the cell that it comes from
-};
-
 /// The sizes of a sweep. All swaths whose place differs from that of one that is looked at by half a step
 /// across and by half_angle lie within reach of it.
 struct SweepScale {
@@ -45,7 +36,7 @@ class StripSweep {
 
   /// Looks at all offsets of one direction, in radians from the grid's towards its right. O(a/step²) for an
   /// area a of the box round the land.
-  void lay(double angle, std::vector<SweepZone> zones);
+  void lay(double angle);
   int offsets() const { return static_cast<int>(best_.size()); }
   double worth(int offset) const { return best_[static_cast<std::size_t>(offset)].worth; }
   double most() const;
@@ -58,11 +49,8 @@ class StripSweep {
     int from = 0, to = 0;  ///< rows
   };
   std::int32_t set_at(int line, int row) const;
-  void look(int offset, std::vector<double>& rows);
+  void look(int offset);
   void add_line(int line, double sign);
-  void add_zones(int offset, std::vector<double>& rows) const;
-  std::vector<const SweepZone*> zones_at(int offset) const;
-  int row_at(double along_m) const;
 
   const GroundLabels& ground_;
   const PixelWorth& worth_;
@@ -72,7 +60,6 @@ class StripSweep {
   std::vector<std::int32_t> sets_;  ///< line by line
   std::vector<double> samples_;     ///< their worth
   std::vector<double> sums_;        ///< by row, of the lines of a swath
-  std::vector<SweepZone> zones_;
   std::vector<Best> best_;
 };
 

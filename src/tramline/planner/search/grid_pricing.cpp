@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/cost/bound/best_offset.h"
+#include "tramline/cost/bound/obstacle_edges.h"
 #include "tramline/geometry/polygon/significant_vertices.h"
 #include "tramline/planner/candidate/turned_ground.h"
 
@@ -28,10 +29,15 @@ GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const Sear
       grid_{task.machine.width_m, min_length_m(task.machine),
             end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
       soft_(task.objective),
-      bound_{task.objective, bounds(part).centre(),
+      bound_{task.objective,
+             bounds(part).centre(),
              std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
-             task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid, near} {
+             task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid,
+             near,
+             {}} {
   soft_.stop = std::min(soft_.stop, soft_.turn);
+  if (near == NearObstacles::kCharged)
+    bound_.at_obstacle = edges_at_obstacles(rings_of({part_}), task.ground.hard);
 }
 
 GridTally GridPricing::tally(double angle) const {
