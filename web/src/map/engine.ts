@@ -103,7 +103,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
     center: START,
     zoom: 15,
     maxZoom: 22,
-    minZoom: 3,
+    minZoom: 0,
     attributionControl: false,
     dragRotate: false,
     pitchWithRotate: false,
