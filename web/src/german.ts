@@ -177,6 +177,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   'Click or tap the corners of the field, one after the other; the first once more closes it.': 'Klicken oder tippen Sie die Ecken des Feldes der Reihe nach an; die erste noch einmal schließt es.',
   'Store the field': 'Feld speichern',
   'Drag corners, drag the small dots between them for new ones, or click further corners.': 'Ziehen Sie Ecken, ziehen Sie die kleinen Punkte dazwischen für neue, oder klicken Sie weitere Ecken an.',
+  'Keep this obstacle': 'Dieses Hindernis behalten',
   'Keep this boundary': 'Diese Grenze behalten',
   'Click or tap the middle of the obstacle.': 'Klicken oder tippen Sie auf die Mitte des Hindernisses.',
   'Add the obstacle': 'Hindernis hinzufügen',

@@ -73,7 +73,7 @@ const ODD = ['cz/45', 'de-bb/13', 'sk/83', 'cz/12', 'br-lem/23', 'sk/32', 'bg/9'
 // And every thirtieth, as they come.
 const fair = skip ? [] : readFields().map(({ properties }) => properties.id).filter((_, i) => i % 30 === 0);
 for (const id of new Set([...ODD, ...fair])) {
-  flow(`${id}: planned, drawn, driven and reviewed`, { skip }, async ({ page, server }) => {
+  flow(`${id}: planned, drawn, driven and reviewed`, { skip, timeout: 600_000 }, async ({ page, server }) => {
     const field = await storeField(server, readFields().find(({ properties }) => properties.id === id));
     const plan = await storePlan(server, field, 10);
     await page.goto(`${server.address}/#view=plan&field=${field}&plan=${plan}`);

@@ -4,6 +4,9 @@ import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
 import type { FieldFull, Geometry, Place } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
+import { boxOf } from '../../map/boxes';
+import { engine } from '../../map/engine_loader';
+import { distance } from '../../metres';
 import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
@@ -48,6 +51,14 @@ const obstacleRing = (field: FieldFull, number: number): Place[] => obstacleRing
 /** An outline that was drawn anew keeps the land within it that is none of the obstacle. */
 const withHoles = (outline: Geometry, field: FieldFull, number: number): Geometry =>
   ({ ...outline, coordinates: [...(outline.coordinates as Place[][]), ...obstacleRings(field, number).slice(1)] });
+
+function changeObstacle(field: FieldFull, number: number, kind: string): void {
+  const places = obstacleRing(field, number);
+  const box = boxOf(places);
+  // From near, with room to drag: the corners of a pond lie on one another where a whole farm is in sight.
+  if (box) engine()?.look([(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], distance([box[0], box[1]], [box[2], box[3]]) / 2);
+  drawFor('obstacle-shape', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places });
+}
 
 function Findings({ field }: { field: FieldFull }) {
   const { repairs, skipped, warnings } = field;
@@ -98,7 +109,7 @@ function Obstacles({ field }: { field: FieldFull }) {
               {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
             </span>
             <Button kind="quiet" aria-label={t`Change obstacle ${number}`}
-              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places: obstacleRing(field, number) })}>{t`Change`}</Button>
+              onClick={() => changeObstacle(field, number, kind)}>{t`Change`}</Button>
             <Button kind="quiet" aria-label={t`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>{t`Remove`}</Button>
           </li>
         ))}
