@@ -1,5 +1,7 @@
 // The German of every word and sentence of the page, beside its English. {0}, {1} … are values, in the order of the English one.
 // A test compares this table with what the page uses.
+export { PROGRAM } from './program_german';
+
 export const GERMAN: Readonly<Record<string, string>> = {
   // What the page is doing, and what went wrong
   '{0} has no log. Its fields are here.': '{0} hat keine Aufzeichnung. Die Felder darin stehen hier.',

@@ -11,6 +11,7 @@ import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
 import { AddObstacle } from './add_obstacle';
+import { told } from '../../program_words';
 import { t } from '../../words';
 
 export function OpenField({ field }: { field: FieldFull }) {
@@ -69,13 +70,13 @@ function Findings({ field }: { field: FieldFull }) {
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
-            {sentence(t`mended: ${repair.what}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
+            {sentence(t`mended: ${told(repair.what)}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
           </li>
         ))}
         {skipped.map((skip, i) => (
           <li key={i}>{sentence(t`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
         ))}
-        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+        {warnings.map((warning, i) => <li key={i}>{sentence(told(warning))}</li>)}
       </ul>
     </Expander>
   );
