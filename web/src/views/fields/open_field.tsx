@@ -70,7 +70,7 @@ function Findings({ field }: { field: FieldFull }) {
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
-            {sentence(t`mended: ${told(repair.what)}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
+            {sentence(t`mended: ${told(repair.what)}`)} <span class="sub">{told(repair.where)}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
           </li>
         ))}
         {skipped.map((skip, i) => (
