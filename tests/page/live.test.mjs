@@ -133,7 +133,7 @@ flow('a plan for gaps says what the gaps cost and what it costs to work them', {
   await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
   await page.getByRole('button', { name: 'Show what was worked' }).click();
   await page.getByRole('button', { name: 'Plan the gaps' }).click({ timeout: 60_000 });
-  await page.getByRole('heading', { name: 'What the repair costs' }).waitFor({ timeout: 60_000 });
+  await page.getByRole('heading', { name: 'What the repair costs' }).waitFor({ timeout: 180_000 });
   const [plan] = (await ask(server, '/plans')).filter(({ kind }) => kind === 'repair');
   const { repair } = (await ask(server, `/plans/${plan.id}`)).explain;
   assert.ok(repair.cost_if_left > 0 && repair.missed_after_m2 < repair.missed_before_m2);
