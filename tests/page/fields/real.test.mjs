@@ -10,13 +10,13 @@ const curated = realFile('fields', 'fields.geojson');
 const skip = process.env.TRAMLINE_LONG ? curated.skip : 'real fields take their time: make long-page';
 const readFields = () => JSON.parse(readFileSync(curated.file)).features;
 
-flow('three hundred real fields are stored, found on the map of the world, and opened one by one', { skip, timeout: 900_000 }, async ({ page, server }) => {
+flow('three hundred real fields are stored, found on the map of the world, and opened one by one', { skip, timeout: 1_800_000 }, async ({ page, server }) => {
   const features = readFields();
   await chooseFile(page, 'Choose a file with a field', curated.file);
   await page.getByRole('heading', { name: /Which field/ }).waitFor();
   await page.getByRole('checkbox', { name: /^All \d+ fields/ }).check();
   await page.getByRole('button', { name: /^Store \d+ fields/ }).click();
-  await page.getByText(/^Stored: \d+ fields of fields\.geojson/).waitFor({ timeout: 200_000 });
+  await page.getByText(/^Stored: \d+ fields of fields\.geojson/).waitFor({ timeout: 600_000 });
   const stored = await ask(server, '/fields');
   // Some are no fields to plan on, and are refused with a reason.
   assert.ok(stored.length > 0.97 * features.length, `${stored.length} of ${features.length}`);
@@ -73,7 +73,7 @@ const ODD = ['cz/45', 'de-bb/13', 'sk/83', 'cz/12', 'br-lem/23', 'sk/32', 'bg/9'
 // And every thirtieth, as they come.
 const fair = skip ? [] : readFields().map(({ properties }) => properties.id).filter((_, i) => i % 30 === 0);
 for (const id of new Set([...ODD, ...fair])) {
-  flow(`${id}: planned, drawn, driven and reviewed`, { skip, timeout: 600_000 }, async ({ page, server }) => {
+  flow(`${id}: planned, drawn, driven and reviewed`, { skip, timeout: 900_000 }, async ({ page, server }) => {
     const field = await storeField(server, readFields().find(({ properties }) => properties.id === id));
     const plan = await storePlan(server, field, 10);
     await page.goto(`${server.address}/#view=plan&field=${field}&plan=${plan}`);
@@ -83,7 +83,7 @@ for (const id of new Set([...ODD, ...fair])) {
     assert.ok((await drawn(page, 'plan:tracks')) > 0);
     assert.equal(await drawn(page, 'plan:route-ends'), 2);
     await page.getByRole('button', { name: 'Check this plan' }).click();
-    await page.getByText(/The plan holds/).waitFor({ timeout: 120_000 });
+    await page.getByText(/The plan holds/).waitFor({ timeout: 300_000 });
 
     const { features } = await ask(server, `/plans/${plan}/layers/tracks`);
     const log = join(server.folder, 'driven.csv');
@@ -91,7 +91,7 @@ for (const id of new Set([...ODD, ...fair])) {
     await goTo(page, 'Review');
     await chooseFile(page, 'Choose the log of a machine', log);
     await page.getByRole('button', { name: 'Show what was worked' }).click({ timeout: 60_000 });
-    await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 120_000 });
+    await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 300_000 });
     const [drive] = await ask(server, '/drives');
     // The swaths of the tracks, each driven once, are what is covered; they overlap as the plan says, or less.
     const swept = features.reduce((sum, { properties }) => sum + properties.length_m * summary.width_m, 0);
