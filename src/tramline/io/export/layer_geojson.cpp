@@ -35,8 +35,8 @@ OGRLayer& layer_with_shapes(GDALDataset& file, const std::string& name) {
   return *layer;
 }
 
-/// Decimals of a degree: digits are most of what a layer weighs. Along lines machines are led, so that these are
-/// true to a millimetre; land that is drawn coarsely moves by a tenth of the tolerance at most.
+/// Decimals of a degree: digits are most of what a layer weighs. Along lines machines are led, so that these
+/// are true to a millimetre; land that is drawn coarsely moves by a tenth of the tolerance at most.
 int decimals_of(OGRLayer& layer, double tolerance_m) {
   constexpr int kAll = 10, kMillimetre = 8, kLeast = 5;
   if (tolerance_m <= 0) return kAll;
@@ -75,7 +75,12 @@ std::string layer_geojson(const std::filesystem::path& file, const LocalFrame& f
     std::vector<Skipped> shortened;
     if (to != nullptr)
       copy_layer(source, *to,
-                 {ExportFormat::kGeoJson, target, offset_of(frame), time_of_files(), tolerance_m, {},
+                 {ExportFormat::kGeoJson,
+                  target,
+                  offset_of(frame),
+                  time_of_files(),
+                  tolerance_m,
+                  {},
                   decimals_of(source, tolerance_m)},
                  shortened);
   }
