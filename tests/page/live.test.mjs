@@ -39,6 +39,46 @@ flow('the cab shows speed, work and the way to the line; land still to do is not
   }
 });
 
+flow('the map stays over the machine while it follows, and stays where it was put when not', {}, async ({ page }) => {
+  const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 60 });
+  try {
+    await openField(page, example('riverside.geojson'));
+    await watch(page, tractor);
+    /** Where the map looks and where the machine is drawn, in pixels from the middle. */
+    const off = () => page.evaluate(async () => {
+      const map = window.tramlineMap;
+      const at = (await map.getSource('work:machine').getData()).features[0]?.geometry.coordinates;
+      if (!at) return null;
+      const [p, q] = [map.project(at), map.project(map.getCenter())];
+      return { px: Math.hypot(p.x - q.x, p.y - q.y), at, centre: map.getCenter().toArray() };
+    });
+    const until = (what) => page.waitForFunction(what, null, { timeout: 20_000 });
+    const follow = page.getByRole('switch', { name: 'Keep the machine in the middle of the map' });
+    await follow.setChecked(true, { force: true });
+    await until(async () => (await window.tramlineMap.getSource('work:machine').getData()).features.length > 0);
+    const first = await off();
+    assert.ok(first.px < 2, `${first.px} px from the middle`);
+    await page.evaluate((was) => { window.wasAt = was; }, first.at);
+    await until(async () => {
+      const [x, y] = (await window.tramlineMap.getSource('work:machine').getData()).features[0].geometry.coordinates;
+      return Math.hypot((x - window.wasAt[0]) * 70_000, (y - window.wasAt[1]) * 111_000) > 10;
+    });
+    const then = await off();
+    assert.ok(then.px < 2 && then.centre.join() !== first.centre.join(), 'the map went along');
+
+    await follow.setChecked(false, { force: true });
+    await page.evaluate(() => { const map = window.tramlineMap; map.jumpTo({ zoom: map.getZoom() - 2 }); window.wasAt = map.getCenter().toArray(); });
+    await until(async () => {
+      const [x, y] = (await window.tramlineMap.getSource('work:machine').getData()).features[0].geometry.coordinates;
+      return Math.hypot((x - window.wasAt[0]) * 70_000, (y - window.wasAt[1]) * 111_000) > 10;
+    });
+    const free = await off();
+    assert.deepEqual(free.centre, await page.evaluate(() => window.wasAt), 'it stays where it is');
+  } finally {
+    await tractor.stop();
+  }
+});
+
 /** Sentences of a receiver that drives north beside 9.15° E, once with RTK and then without corrections. */
 function nmeaLog(folder) {
   const sentence = (body) => `$${body}*${[...body].reduce((sum, c) => sum ^ c.charCodeAt(0), 0).toString(16).toUpperCase().padStart(2, '0')}`;
@@ -93,7 +133,7 @@ flow('a plan for gaps says what the gaps cost and what it costs to work them', {
   await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
   await page.getByRole('button', { name: 'Show what was worked' }).click();
   await page.getByRole('button', { name: 'Plan the gaps' }).click({ timeout: 60_000 });
-  await page.getByRole('heading', { name: 'What the repair costs' }).waitFor({ timeout: 60_000 });
+  await page.getByRole('heading', { name: 'What the repair costs' }).waitFor({ timeout: 180_000 });
   const [plan] = (await ask(server, '/plans')).filter(({ kind }) => kind === 'repair');
   const { repair } = (await ask(server, `/plans/${plan.id}`)).explain;
   assert.ok(repair.cost_if_left > 0 && repair.missed_after_m2 < repair.missed_before_m2);

@@ -52,7 +52,7 @@ try {
   await shoot(wide, 'along');
   await goTo(wide, 'Compare');
   await wide.getByRole('button', { name: 'Find the plans' }).click();
-  await wide.locator('.dot').first().waitFor({ timeout: 120_000 });
+  await wide.locator('.dot').first().waitFor({ timeout: 300_000 });
   await wide.locator('.dot').last().click({ force: true });
   await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
   await top(wide);
@@ -65,7 +65,7 @@ try {
   await shoot(wide, 'review');
   await wide.getByLabel('Speed').selectOption('100');
   await wide.getByRole('button', { name: 'Play the drive' }).click();
-  await wide.waitForFunction(() => /^0:(2[5-9]|[3-5])/.test(document.querySelector('.replay output').textContent), null, { timeout: 90_000 });
+  await wide.waitForFunction(() => /^0:(2[5-9]|[3-5])/.test(document.querySelector('.replay output').textContent), null, { timeout: 300_000 });
   await wide.getByRole('button', { name: 'Pause the replay' }).click();
   await shoot(wide, 'replay');
   const { hash } = new URL(wide.url());

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { flow } from './support/flow.mjs';
 import { goTo, makePlan, openField, panel } from './support/page.mjs';
-import { ask, openId, smallField } from './support/stored.mjs';
+import { ask, openId, polygonOf, smallField, storeField, storePlan } from './support/stored.mjs';
 
 const value = (page, label) => page.locator('.figures > div', { has: page.locator('dt', { hasText: new RegExp(`^${label}$`) }) }).locator('.value').first().innerText();
 
@@ -24,6 +24,24 @@ flow('German by the browser, English by choice', { locale: 'de-DE' }, async ({ p
   assert.match(await value(page, 'Whole cost'), /^€[\d,]+\.\d\d$/);
   await page.reload();
   await page.getByRole('region', { name: 'The plan in numbers' }).waitFor();
+});
+
+flow('what the program refuses and remarks is said in German, too', { locale: 'de-DE' }, async ({ page, server }) => {
+  const bow = { type: 'Polygon', coordinates: [[[9, 50], [9.002, 50.001], [9.002, 50], [9, 50.0012], [9, 50]]] };
+  const mended = await storeField(server, { type: 'Feature', properties: { name: 'Schleife' }, geometry: bow });
+  await page.goto(`${server.address}/?again#view=fields&field=${mended}`);
+  await page.getByText('Äußerer Ring berührte oder kreuzte sich selbst; behalten wurde, was eine ungerade Zahl von Malen umrundet wird').waitFor();
+
+  const small = await storeField(server, { type: 'Feature', properties: { name: 'klein' }, geometry: polygonOf('slant') });
+  const plan = await storePlan(server, small, 5, { width_m: 48, radius_m: 12 });
+  const { warnings } = (await ask(server, `/plans/${plan}`)).summary;
+  const [, share, m2] = /^([\d.]+) % of the land, (\d+) m², stays unworked$/.exec(warnings[0]);
+  await page.goto(`${server.address}/?more#view=plan&field=${small}&plan=${plan}`);
+  await page.getByText(/^Anmerkungen \(/).click();
+  await page.getByText(`${share.replace('.', ',')} % der Fläche, ${m2} m², bleiben unbearbeitet.`).waitFor();
+  await page.getByLabel('Arbeitsbreite', { exact: true }).fill('100');
+  await page.getByLabel('Arbeitsbreite', { exact: true }).press('Enter');
+  await page.getByRole('alert').filter({ hasText: /^In das Feld .* passt keine Spur mit einer Arbeitsbreite von 100 m und Stücken von mindestens/ }).waitFor();
 });
 
 flow('feet, acres and dollars', {}, async ({ page, server }) => {

@@ -1,5 +1,6 @@
 // How fast the page is: first paint on loopback, and frames a second while a map with 5,000 swaths is moved,
-// drawn in software. Prints one line of JSON.
+// drawn in software. Prints one line of JSON. The first paint is that of a browser which has just been started, whose own start of drawing is
+// part of it, and of one that has shown a page before.
 import { closePage, openPage, startBrowser } from './support/browser.mjs';
 import { goTo, makePlan, mapReady, openField, planTracks, still } from './support/page.mjs';
 import { example, startServer } from './support/server.mjs';
@@ -42,13 +43,23 @@ const framesPerSecond = (page) =>
     step();
   }), SECONDS);
 
+const firstPaint = (page) => page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+
 const browser = await startBrowser();
 const server = await startServer();
 try {
   const page = await openPage(browser, server.address, { reducedMotion: 'no-preference' });
   await mapReady(page);
-  const first_paint_ms = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+  const first_paint_ms = await firstPaint(page);
   const map_ms = await page.evaluate(() => performance.now());
+  const later = [];
+  for (let i = 0; i < 5; i++) {
+    const again = await openPage(browser, server.address, {});
+    await mapReady(again);
+    later.push(await firstPaint(again));
+    await closePage(again);
+  }
+  const first_paint_later_ms = later.sort((a, b) => a - b)[2];
   await openField(page, example('riverside.geojson'));
   await planTracks(page);
   const box = await page.evaluate(() => { const b = window.tramlineMap.getBounds(); return [b.getWest(), b.getSouth(), b.getEast(), b.getNorth()]; });
@@ -68,7 +79,7 @@ try {
     await still(page);
     rates[name] = await framesPerSecond(page);
   }
-  console.log(JSON.stringify({ first_paint_ms: Math.round(first_paint_ms), map_ready_ms: Math.round(map_ms), swaths: SWATHS, frames_per_s: rates }));
+  console.log(JSON.stringify({ first_paint_ms: Math.round(first_paint_ms), first_paint_later_ms: Math.round(first_paint_later_ms), map_ready_ms: Math.round(map_ms), swaths: SWATHS, frames_per_s: rates }));
   await closePage(page);
 } finally {
   await browser.close();

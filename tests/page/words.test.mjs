@@ -37,9 +37,9 @@ function wordsUsed() {
   return used;
 }
 
-function table() {
+function table(file = 'german.ts') {
   const rows = new Map();
-  each(parsed('german.ts'), (node) => {
+  each(parsed(file), (node) => {
     if (!ts.isPropertyAssignment(node)) return;
     assert.ok(!rows.has(node.name.text), `twice in the table: ${node.name.text}`);
     rows.set(node.name.text, node.initializer.text);
@@ -56,7 +56,36 @@ test('the table has the German of all that the page says, and nothing else', () 
 
 test('both languages have the same values in a sentence', () => {
   const values = (text) => [...text.matchAll(/\{\d+\}/g)].map(([value]) => value).sort().join();
-  for (const [english, german] of table()) assert.equal(values(german), values(english), english);
+  for (const [english, german] of [...table(), ...table('program_german.ts')]) assert.equal(values(german), values(english), english);
+});
+
+/** Pieces of a sentence that follow one another in a source. */
+const joined = (text) => text.replace(/"\s*\n\s*"/g, '');
+const source = (name) => joined(readFileSync(join(root, name), 'utf8'));
+
+/** What the program says, with {} for each value, and options in the words that the server has for the page. */
+function programSays() {
+  const all = [];
+  for (const folder of ['src/tramline', 'apps/server']) {
+    for (const name of readdirSync(join(root, folder), { recursive: true })) {
+      if (!/\.(cpp|h)$/.test(name)) continue;
+      for (const [, literal] of source(join(folder, name)).matchAll(/"((?:[^"\\\n]|\\.)*)"/g)) all.push(literal.replace(/\{[^}]*\}/g, '{}'));
+    }
+  }
+  let says = all.join('\n');
+  const options = [...source('apps/server/http/page_words.cpp').matchAll(/\{"([^"]+)",\s*"([^"]+)"\}/g)];
+  assert.ok(options.length > 50, `${options.length} options`);
+  for (const [, from, to] of options) {
+    says = says.replaceAll(`smaller ${from}`, `smaller ${to.replace(/^the /, '')}`).replaceAll(from, to);
+  }
+  return new Set(says.split('\n'));
+}
+
+test('what has German words is what the program says', () => {
+  const says = programSays();
+  const rows = [...table('program_german.ts').keys()];
+  assert.ok(rows.length > 40, `${rows.length} sentences`);
+  assert.deepEqual(rows.filter((english) => !says.has(english.replace(/\{\d+\}/g, '{}'))), []);
 });
 
 /** Attributes that are read or seen. */

@@ -1,5 +1,7 @@
 // The German of every word and sentence of the page, beside its English. {0}, {1} … are values, in the order of the English one.
 // A test compares this table with what the page uses.
+export { PROGRAM } from './program_german';
+
 export const GERMAN: Readonly<Record<string, string>> = {
   // What the page is doing, and what went wrong
   '{0} has no log. Its fields are here.': '{0} hat keine Aufzeichnung. Die Felder darin stehen hier.',
@@ -177,6 +179,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   'Click or tap the corners of the field, one after the other; the first once more closes it.': 'Klicken oder tippen Sie die Ecken des Feldes der Reihe nach an; die erste noch einmal schließt es.',
   'Store the field': 'Feld speichern',
   'Drag corners, drag the small dots between them for new ones, or click further corners.': 'Ziehen Sie Ecken, ziehen Sie die kleinen Punkte dazwischen für neue, oder klicken Sie weitere Ecken an.',
+  'Keep this obstacle': 'Dieses Hindernis behalten',
   'Keep this boundary': 'Diese Grenze behalten',
   'Click or tap the middle of the obstacle.': 'Klicken oder tippen Sie auf die Mitte des Hindernisses.',
   'Add the obstacle': 'Hindernis hinzufügen',

@@ -21,7 +21,10 @@ export const language: Language = remembered() ?? spoken();
 export const locale = language === 'de' ? 'de-DE' : 'en-GB';
 document.documentElement.lang = language;
 
-const table: Readonly<Record<string, string>> | null = language === 'de' ? (await import('./german')).GERMAN : null;
+const german = language === 'de' ? await import('./german') : null;
+const table: Readonly<Record<string, string>> | null = german && german.GERMAN;
+/** What the program says, see program_words.ts. */
+export const PROGRAM: Readonly<Record<string, string>> | null = german && german.PROGRAM;
 
 /** A word or sentence of the table; what is not in it stays as it is. */
 export function said(english: string): string {

@@ -40,6 +40,13 @@ const named = (entry) => {
   const found = Object.entries(result.metafile.outputs).find(([, output]) => output.entryPoint === entry);
   return found[0].split('/').pop();
 };
+/** What an output needs at once, itself among it. */
+function needed(output, all = new Set()) {
+  if (all.has(output)) return all;
+  all.add(output);
+  for (const { path, kind } of result.metafile.outputs[output].imports) if (kind === 'import-statement') needed(path, all);
+  return all;
+}
 copyFileSync(join(maplibre, 'maplibre-gl-csp-worker.js'), join(out, 'map-worker.js'));
 for (const file of readdirSync(join(web, 'public'))) {
   if (file !== 'index.html') copyFileSync(join(web, 'public', file), join(out, file));
@@ -51,9 +58,13 @@ const farm = EXAMPLES.flatMap((name) =>
     ...feature, properties: { ...feature.properties, name: feature.properties.name ?? `${name[0].toUpperCase()}${name.slice(1)}` },
   })));
 writeFileSync(join(out, 'example-farm.json'), JSON.stringify({ type: 'FeatureCollection', features: farm }));
+// Asked for together: found out one after the other they take a journey to the server each.
+const app = Object.entries(result.metafile.outputs).find(([, output]) => output.entryPoint === 'src/main.tsx')[0];
+const ahead = [...needed(app)].filter((output) => output !== app).map((output) => `<link rel="modulepreload" href="${output.split('/').pop()}">\n`).sort().join('');
 const index = readFileSync(join(web, 'public', 'index.html'), 'utf8')
   .replace('app.js', named('src/main.tsx'))
-  .replace('style.css', named('src/style/page.css'));
+  .replace('style.css', named('src/style/page.css'))
+  .replace('<script', `${ahead}<script`);
 writeFileSync(join(out, 'index.html'), index);
 
 if (values.table) writeTable(out, resolve(values.table));

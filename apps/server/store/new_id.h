@@ -5,8 +5,9 @@
 
 namespace tramline::server {
 
-/// An id that nothing has had before: date and time in UTC, and some letters by chance:
-/// "20260314-081500-k3f9". What follows does not depend on what a user has typed.
+/// An id that nothing has had before: date and time in UTC to the microsecond, and some letters by chance:
+/// "20260314-081500-k3f90a1b2c". Ids are in the order in which they were given, also within a second. What
+/// follows does not depend on what a user has typed.
 std::string new_id();
 
 /// [a-z0-9-]{1,64}

@@ -1,8 +1,8 @@
 // A field and an obstacle drawn on the map, with the pointer and by numbers.
 import assert from 'node:assert/strict';
 import { flow } from '../support/flow.mjs';
-import { clickMap, drawn, figure, goTo, makePlan, openField, panel, planTracks, still } from '../support/page.mjs';
-import { ask, polygonOf, smallField } from '../support/stored.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, mapReady, openField, panel, planTracks, still } from '../support/page.mjs';
+import { ask, polygonOf, smallField, storeField } from '../support/stored.mjs';
 
 flow('draw a field and an obstacle, then plan', {}, async ({ page }) => {
   await page.getByRole('button', { name: 'Draw a field' }).click();
@@ -138,4 +138,41 @@ flow('a boundary is changed later, and plans of the earlier shape are marked', {
   await page.getByRole('region', { name: /^Open field/ }).waitFor();
   const [plan] = await ask(server, `/plans?field=${id}`);
   assert.equal(plan.earlier_shape, false);
+});
+
+flow('an obstacle is changed later: corners dragged, inserted, deleted; plans of the earlier shape are marked', {}, async ({ page, server }) => {
+  const id = await storeField(server, { type: 'Feature', properties: { name: 'with a pond' }, geometry: polygonOf('slant') });
+  const [w, s, wide, high] = [9.0008, 50.0004, 0.0004, 0.0002];
+  const at = (x, y) => [w + x * wide, s + y * high];
+  const pond = { type: 'Polygon', coordinates: [[at(0, 0), at(1, 0), at(1, 1), at(0, 1), at(0, 0)]] };
+  await fetch(`${server.address}/api/v1/fields/${id}`, { method: 'PATCH', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ add: [{ kind: 'obstacle', geometry: pond }] }) });
+  await page.goto(`${server.address}/?again#view=fields&field=${id}`);
+  await mapReady(page);
+  await page.getByText('1 obstacle').first().waitFor();
+  await planTracks(page);
+  await makePlan(page);
+  await goTo(page, 'Fields');
+  await page.getByText(/^Obstacles, as numbered/).click();
+  await page.getByRole('button', { name: 'Change obstacle 1' }).click();
+
+  const ground = wide * 111_320 * Math.cos((50 * Math.PI) / 180) * high * 111_240;
+  const told = async () => Number(/; ([\d.,]+) m²/.exec(await page.locator('.drawing-bar').innerText())[1].replace(',', ''));
+  const is = async (shares, why) => assert.ok(Math.abs((await told()) - shares * ground) < 0.01 * ground, `${why}: ${await told()} m² is not ${shares} × ${ground}`);
+  await is(1, 'as it is stored');
+  await drag(page, at(1, 1), at(1.5, 1));
+  await is(1.25, 'a triangle at the corner that was moved');
+  await drag(page, at(0.5, 0), at(0.5, -1));
+  await is(1.75, 'a triangle below the new corner');
+  await page.getByRole('button', { name: 'Delete the corner' }).click();
+  await is(1.25, 'without it again');
+  await page.getByRole('button', { name: 'Keep this obstacle' }).click();
+  await page.locator('.drawing-bar').waitFor({ state: 'detached' });
+  const { shapes, obstacles } = await ask(server, `/fields/${id}`);
+  assert.equal(obstacles, 1, 'changed, not added');
+  const [stored] = shapes.features.filter(({ properties }) => properties.kind === 'obstacle');
+  assert.ok(Math.abs(stored.properties.area_m2 - 1.25 * ground) < 0.01 * ground, `${stored.properties.area_m2} m²`);
+  await goTo(page, 'Plan');
+  await page.getByText('of an earlier shape of the field').first().waitFor();
+  await page.locator('.cards .card').first().click();
+  await page.getByText('Plan again before you drive.').waitFor();
 });

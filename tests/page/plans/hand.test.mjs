@@ -156,7 +156,7 @@ flow('the whole job by hand', { skip: long }, async ({ page, server }) => {
   await drawn(page, 'Cut the field', 'Cut here', [[9.0011, 49.9999], [9.0011, 50.0033]]);
   const cut = await plan(page, server);
   assert.ok(cut.summary.whole_cost.euros > 0);
-  assert.match(await hand(page).innerText(), /than the (best plan|plan before)|as much as/);
+  await hand(page).getByText(/than the (best plan|plan before)|as much as/).first().waitFor();
   assert.equal(cut.asked.edit_of, best);
   assert.equal(cut.asked.settings.headlands, 'auto', 'the next plan is asked for as this one was');
   // After a reload edits still begin from that plan, and are held against it.

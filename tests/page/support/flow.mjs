@@ -14,7 +14,7 @@ after(() => browser?.close());
 
 /** flow('what a user does', {page options, args}, async ({page, server}) => …) */
 export function flow(name, options, run) {
-  test(name, { timeout: 240_000, skip: options.skip ?? false }, async () => {
+  test(name, { timeout: options.timeout ?? 240_000, skip: options.skip ?? false }, async () => {
     const server = await startServer({ args: options.args ?? [] });
     try {
       const page = await openPage(browser, server.address + (options.path ?? '/'), options);

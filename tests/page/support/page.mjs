@@ -41,7 +41,7 @@ export async function newPlan(page, hashBefore) {
   await page.waitForFunction((was) => {
     const now = new URLSearchParams(location.hash.slice(1)).get('plan');
     return now !== null && now !== was;
-  }, old, { timeout: 60_000 });
+  }, old);
   await planShown(page);
 }
 

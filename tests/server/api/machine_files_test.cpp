@@ -1,6 +1,12 @@
 // Files for the machine, as the program exports them, and the addresses of the page.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "report/line_card_pages.h"
 #include "server/served.h"
@@ -81,6 +87,47 @@ TEST_F(ServerTest, LayersOfItsOwnAreAsFineAsTheyAreAskedFor) {
     EXPECT_LT(corners("?detail_m=2"), corners("")) << layer;
     EXPECT_EQ(corners("?detail_m=0"), corners("")) << layer;
     EXPECT_EQ(served.get("/plans/" + plan + "/layers/" + layer + "?detail_m=-1").status, 400);
+  }
+}
+
+using Place = std::pair<double, double>;
+
+void places_in(const ordered_json& coordinates, std::vector<Place>& out) {
+  if (coordinates.empty()) return;
+  if (coordinates.front().is_number()) {
+    out.emplace_back(coordinates.at(0).get<double>(), coordinates.at(1).get<double>());
+    return;
+  }
+  for (const ordered_json& part : coordinates) places_in(part, out);
+}
+
+std::vector<Place> places_of(const Got& layer) {
+  std::vector<Place> out;
+  for (const ordered_json& feature : layer.json["features"])
+    places_in(feature["geometry"]["coordinates"], out);
+  return out;
+}
+
+TEST_F(ServerTest, DigitsThatAreLeftOutMoveLandByATenthOfTheDetailAndLinesByAMillimetre) {
+  constexpr double kDegree_m = 111'320, kDetail_m = 0.3;
+  const std::string field = served.field_of("terrace.kml");
+  const std::string plan = served.planned(field, {{"headlands", 1}, {"route", false}});
+  for (const auto& [layer, most_m] : {std::pair{"headland", 0.1 * kDetail_m}, {"tracks", 0.001}}) {
+    const Got fine = served.get("/plans/" + plan + "/layers/" + layer);
+    const Got coarse = served.get(fmt::format("/plans/{}/layers/{}?detail_m={}", plan, layer, kDetail_m));
+    const std::vector<Place> before = places_of(fine), after = places_of(coarse);
+    ASSERT_GT(after.size(), 4U) << layer;
+    // Corners that stay are corners of the whole shape.
+    double farthest_m = 0;
+    for (const auto& [x, y] : after) {
+      double nearest_m = 1e9;
+      for (const auto& [u, v] : before)
+        nearest_m = std::min(nearest_m, kDegree_m * std::max(std::abs(x - u), std::abs(y - v)));
+      farthest_m = std::max(farthest_m, nearest_m);
+    }
+    EXPECT_LE(farthest_m, most_m) << layer;
+    EXPECT_GT(farthest_m, most_m / 100) << layer << ": no digits are left out";
+    EXPECT_LT(coarse.text.size(), fine.text.size()) << layer;
   }
 }
 

@@ -110,9 +110,13 @@ TEST_F(ServerTest, PathsLeadNowhere) {
 
 TEST(NewId, IsAnIdAndNeverTheSame) {
   std::set<std::string> seen;
+  constexpr std::size_t kToTheMicrosecond = 20;
+  std::string last;
   for (int i = 0; i < 1000; ++i) {
     const std::string id = new_id();
     EXPECT_TRUE(is_id(id)) << id;
+    EXPECT_LE(last, id.substr(0, kToTheMicrosecond)) << "lists are in the order of ids";
+    last = id.substr(0, kToTheMicrosecond);
     seen.insert(id);
   }
   EXPECT_EQ(seen.size(), 1000U);

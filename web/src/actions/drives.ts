@@ -11,6 +11,7 @@ import { note } from './notices';
 import { stopReplay } from './play/replay';
 import { show } from './session';
 import { asOne, uploadFile } from './files/upload';
+import { told } from '../program_words';
 import { t } from '../words';
 
 export async function loadDrives(): Promise<void> {
@@ -31,7 +32,7 @@ export async function takeLogFile(files: File[]): Promise<void> {
     const what = upload.kind === 'plan' ? t`a plan, not a log: choose the file that the machine wrote` : null;
     throw new ApiError(
       'bad_input',
-      what ? t`${upload.name} is ${what}.` : t`${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? t`${upload.name} is ${what}.` : t`${upload.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(told(upload.message ?? ''))}`.trim(),
       400,
     );
   }

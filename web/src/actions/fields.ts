@@ -12,6 +12,7 @@ import { attempt, complain, note } from './notices';
 import { takeUpPlanning } from './planning';
 import { closePlan, loadPlans, openPlan } from './plans';
 import { asOne, busy, uploadFile } from './files/upload';
+import { told } from '../program_words';
 import { t } from '../words';
 
 export async function loadFields(): Promise<void> {
@@ -55,7 +56,7 @@ export async function takeFields(sent: Upload): Promise<void> {
     const what = upload.kind === 'log' ? t`the log of a machine: drop it under Review` : upload.kind === 'plan' ? t`a plan, not a field: choose the file of the field itself` : null;
     throw new ApiError(
       'bad_input',
-      what ? t`${upload.name} is ${what}.` : t`${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? t`${upload.name} is ${what}.` : t`${upload.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(told(upload.message ?? ''))}`.trim(),
       400,
     );
   }

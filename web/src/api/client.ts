@@ -1,5 +1,6 @@
 // Requests to the server. Every failure becomes an ApiError with one sentence for the user.
 import { sentence } from '../format';
+import { told } from '../program_words';
 import { t } from '../words';
 import { base } from './addresses';
 import { ApiError, AWAY } from './errors';
@@ -39,9 +40,9 @@ export async function failure(response: Response): Promise<ApiError> {
   let code = 'failed';
   let message = t`The server answered with the status ${response.status}. Try again, or look at what the server prints.`;
   try {
-    const told = (await response.json()) as { error?: { code?: string; message?: string } };
-    if (told.error?.message) message = sentence(told.error.message);
-    if (told.error?.code) code = told.error.code;
+    const answer = (await response.json()) as { error?: { code?: string; message?: string } };
+    if (answer.error?.message) message = sentence(told(answer.error.message));
+    if (answer.error?.code) code = answer.error.code;
   } catch {
     // No JSON: the sentence above stands.
   }

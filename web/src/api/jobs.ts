@@ -5,6 +5,7 @@ import { api } from './client';
 import { ApiError, AWAY } from './errors';
 import { openStream } from './event_stream';
 import type { Job, JobResult } from './types';
+import { told } from '../program_words';
 import { t } from '../words';
 
 /** What Cancel was pressed for. */
@@ -15,7 +16,7 @@ function outcome(job: Job): JobResult {
   if (job.state === 'failed') {
     const error = job.error;
     const message = typeof error === 'string' ? error : error?.message;
-    throw new ApiError('failed', sentence(message ?? t`The job failed. Try again, or look at what the server prints.`), 422);
+    throw new ApiError('failed', sentence(message ? told(message) : t`The job failed. Try again, or look at what the server prints.`), 422);
   }
   return job.result ?? {};
 }

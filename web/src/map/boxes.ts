@@ -1,5 +1,5 @@
 // How boxes in longitude and latitude lie to one another.
-import type { Box, FieldItem } from '../api/types';
+import type { Box, FieldItem, Place } from '../api/types';
 
 const EARTH_M = 6_371_009;
 const rad = (deg: number) => (deg * Math.PI) / 180;
@@ -24,8 +24,8 @@ export function apart_m(a: Box, b: Box): number {
   return 2 * EARTH_M * Math.asin(Math.min(1, Math.sqrt(h)));
 }
 
-/** What all fields lie in; null where there is none. */
-export const farmBox = (list: FieldItem[]): Box | null =>
-  list.length === 0 ? null : [
-    Math.min(...list.map(({ bbox }) => bbox[0])), Math.min(...list.map(({ bbox }) => bbox[1])), Math.max(...list.map(({ bbox }) => bbox[2])), Math.max(...list.map(({ bbox }) => bbox[3])),
-  ];
+/** What all boxes lie in; null where there is none. */
+const around = (list: Box[]): Box | null =>
+  list.length === 0 ? null : list.reduce((all, box) => [Math.min(all[0], box[0]), Math.min(all[1], box[1]), Math.max(all[2], box[2]), Math.max(all[3], box[3])]);
+export const farmBox = (list: FieldItem[]): Box | null => around(list.map(({ bbox }) => bbox));
+export const boxOf = (places: Place[]): Box | null => around(places.map(([x, y]) => [x, y, x, y]));

@@ -3,6 +3,7 @@ import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
 import { complain } from '../actions/notices';
 import type { Box, Place } from '../api/types';
 import { measures } from '../measures';
+import { distance } from '../metres';
 import { fields } from '../state/fields';
 import { isNight, session, tilesHost } from '../state/session';
 import * as camera from './camera';
@@ -28,9 +29,13 @@ export const look = (at: Place, size_m: number) => shown && camera.look(shown.ma
 export const zoomBy = (steps: number) => shown && camera.zoomBy(shown.map, steps);
 export const resized = () => shown?.map.resize();
 
+/** Metres counted from farther away than this are not those of the place any more, and lines would end within sight. */
+const FARTHEST_M = 20_000;
 function keepGrid(map: GlMap, scaled: (scale: Scale) => void): void {
   let origin: Place = START;
   const draw = () => {
+    const middle = map.getCenter().toArray();
+    if (distance(origin, middle) > FARTHEST_M) origin = middle;
     const grid_m = drawGrid(map, origin);
     scaled({ ...scaleOf(map), grid_m });
   };
@@ -103,7 +108,7 @@ export async function startMap(container: HTMLElement, scaled: (scale: Scale) =>
     center: START,
     zoom: 15,
     maxZoom: 22,
-    minZoom: 3,
+    minZoom: 0,
     attributionControl: false,
     dragRotate: false,
     pitchWithRotate: false,

@@ -95,6 +95,7 @@ function hatch(paper: string, ink: string): ImageData {
 function image(id: string, c: Colours): ImageData | null {
   const [kind, text = ''] = [id.slice(0, id.indexOf(':')), id.slice(id.indexOf(':') + 1)];
   switch (kind) {
+    case 'name': return pill(text, c.Background, c.Ink, c.SubfieldEdge);
     case 'track': return pill(text, c.Background, c.Ink, c.Track);
     case 'gap': return pill(text, c.Uncovered, c.Background, c.Background);
     case 'obstacle': return pill(text, c.Obstacle, c.Background, c.Background);

@@ -2,7 +2,7 @@
 import type { Place } from '../api/types';
 import { store } from './store';
 
-export type Purpose = 'field' | 'boundary' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate' | 'direction' | 'skip' | 'exempt' | 'subfield' | 'cut' | 'lock';
+export type Purpose = 'field' | 'boundary' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'obstacle-shape' | 'guide' | 'edge' | 'gate' | 'direction' | 'skip' | 'exempt' | 'subfield' | 'cut' | 'lock';
 export const drawing = store<{
   purpose: Purpose | null;
   places: Place[];
@@ -20,7 +20,7 @@ export const single = (purpose: Purpose | null) => purpose === 'obstacle-point' 
 /** How many places a shape needs at least. */
 export const least = (purpose: Purpose) =>
   single(purpose) ? 1 : closed(purpose) ? 3 : 2;
-const CLOSED: readonly (Purpose | null)[] = ['field', 'boundary', 'obstacle-area', 'skip', 'exempt', 'subfield', 'lock'];
+const CLOSED: readonly (Purpose | null)[] = ['field', 'boundary', 'obstacle-area', 'obstacle-shape', 'skip', 'exempt', 'subfield', 'lock'];
 export const closed = (purpose: Purpose | null) => CLOSED.includes(purpose);
 /** Two ends that are there from the start, and are only moved. */
 export const fixedEnds = (purpose: Purpose | null) => purpose === 'direction';

@@ -28,12 +28,12 @@ namespace {
 /// DBF's longest text, bytes.
 constexpr std::size_t kLongestText = 254;
 
-CPLStringList layer_options(ExportFormat format, std::time_t time) {
+CPLStringList layer_options(const LayerWay& way) {
   CPLStringList out;
-  switch (format) {
+  switch (way.format) {
     case ExportFormat::kGeoJson:
       out.SetNameValue("RFC7946", "YES");
-      out.SetNameValue("COORDINATE_PRECISION", "10");  // 0.01 mm; the driver's own 7 are a centimetre
+      out.SetNameValue("COORDINATE_PRECISION", std::to_string(way.decimals).c_str());
       break;
     case ExportFormat::kFlatGeobuf:
       out.SetNameValue("SPATIAL_INDEX", "NO");  // it would sort the tracks out of their driving order
@@ -42,7 +42,7 @@ CPLStringList layer_options(ExportFormat format, std::time_t time) {
       break;
     case ExportFormat::kShapefiles: {
       std::tm utc{};
-      gmtime_r(&time, &utc);
+      gmtime_r(&way.time, &utc);
       // One byte holds the year.
       const int year = std::clamp(utc.tm_year + 1900, 1900, 2155);
       out.SetNameValue("ENCODING", "UTF-8");
@@ -89,7 +89,7 @@ std::string pen_of(std::string_view layer, const OGRFeature& source, bool detour
 
 OGRLayer* made_layer(OGRLayer& like, GDALDataset& file, const LayerWay& way) {
   OGRSpatialReference reference(way.target.reference());
-  CPLStringList options = layer_options(way.format, way.time);
+  CPLStringList options = layer_options(way);
   return file.CreateLayer(exported_layer(like.GetName()).c_str(), &reference, like.GetGeomType(),
                           options.List());
 }

@@ -27,6 +27,7 @@ struct LayerWay {
   /// The fields' own frames by their keys, "" in a file of one plan: exact paths are written beside the
   /// chords where the format takes texts of any length. Empty: they are not.
   std::map<std::string, LocalFrame, std::less<>> frames{};
+  int decimals = 10;  ///< of a degree in GeoJSON; 10 are 0.01 mm, the driver's own 7 a centimetre
 };
 
 /// Copies the features in their order, as described at export_plan(), and returns their number. Texts that

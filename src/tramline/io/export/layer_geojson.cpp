@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
+#include <cmath>
+
 #include "tramline/geometry/error.h"
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
@@ -33,6 +35,20 @@ OGRLayer& layer_with_shapes(GDALDataset& file, const std::string& name) {
   return *layer;
 }
 
+/// Decimals of a degree: digits are most of what a layer weighs. Along lines machines are led, so that these
+/// are true to a millimetre; land that is drawn coarsely moves by a tenth of the tolerance at most.
+int decimals_of(OGRLayer& layer, double tolerance_m) {
+  constexpr int kAll = 10, kMillimetre = 8, kLeast = 5;
+  if (tolerance_m <= 0) return kAll;
+  int out = kMillimetre;
+  const OGRwkbGeometryType shapes = wkbFlatten(layer.GetGeomType());
+  if (shapes != wkbPolygon && shapes != wkbMultiPolygon) return out;
+  constexpr double kDegree_m = 111'320, kShare = 0.1;
+  const auto moved_m = [](int decimals) { return std::sqrt(0.5) * kDegree_m * std::pow(10.0, -decimals); };
+  while (out > kLeast && moved_m(out - 1) <= kShare * tolerance_m) --out;
+  return out;
+}
+
 }  // namespace
 
 LocalFrame shown_frame(const LocalFrame& frame) {
@@ -59,7 +75,14 @@ std::string layer_geojson(const std::filesystem::path& file, const LocalFrame& f
     std::vector<Skipped> shortened;
     if (to != nullptr)
       copy_layer(source, *to,
-                 {ExportFormat::kGeoJson, target, offset_of(frame), time_of_files(), tolerance_m}, shortened);
+                 {ExportFormat::kGeoJson,
+                  target,
+                  offset_of(frame),
+                  time_of_files(),
+                  tolerance_m,
+                  {},
+                  decimals_of(source, tolerance_m)},
+                 shortened);
   }
   const std::span<const std::byte> bytes = folder.bytes(name);
   if (errors.any() || bytes.empty())

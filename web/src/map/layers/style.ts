@@ -19,7 +19,7 @@ export const SOURCES = [
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:outside', 'plan:headland_passes', 'plan:tracks', 'plan:route_legs', 'plan:route_ends', 'plan:detours', 'plan:dropped',
   'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
-  'work:line', 'work:machine', 'drawing', 'edges', 'land', 'farm', 'choosing', 'chosen', 'route-driven', 'route-machine',
+  'work:line', 'work:machine', 'drawing', 'edges', 'land', 'farm', 'farm-places', 'choosing', 'chosen', 'route-driven', 'route-machine',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
 

@@ -12,6 +12,7 @@ import { Windowed } from '../../parts/windowed';
 import { sorted, SORTINGS, wordsOf, type Sorting } from '../../state/chooser';
 import { calledField, fields, keyOf } from '../../state/fields';
 import { useStore } from '../../state/store';
+import { told } from '../../program_words';
 import { t } from '../../words';
 
 const SIZE = 56;
@@ -47,7 +48,7 @@ function Preview({ feature }: { feature: UploadedFeature }) {
 const about = (feature: UploadedFeature) =>
   feature.refused === null
     ? [hectares(feature.area_m2), feature.crop, feature.obstacles > 0 && plural(feature.obstacles, 'obstacle')].filter(Boolean).join(' · ')
-    : t`Cannot be used: ${sentence(feature.refused)}`;
+    : t`Cannot be used: ${sentence(told(feature.refused))}`;
 
 const ROW_PX = 84;
 

@@ -4,10 +4,14 @@ import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
 import type { FieldFull, Geometry, Place } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
+import { boxOf } from '../../map/boxes';
+import { engine } from '../../map/engine_loader';
+import { distance } from '../../metres';
 import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
 import { AddObstacle } from './add_obstacle';
+import { told } from '../../program_words';
 import { t } from '../../words';
 
 export function OpenField({ field }: { field: FieldFull }) {
@@ -49,6 +53,14 @@ const obstacleRing = (field: FieldFull, number: number): Place[] => obstacleRing
 const withHoles = (outline: Geometry, field: FieldFull, number: number): Geometry =>
   ({ ...outline, coordinates: [...(outline.coordinates as Place[][]), ...obstacleRings(field, number).slice(1)] });
 
+function changeObstacle(field: FieldFull, number: number, kind: string): void {
+  const places = obstacleRing(field, number);
+  const box = boxOf(places);
+  // From near, with room to drag: the corners of a pond lie on one another where a whole farm is in sight.
+  if (box) engine()?.look([(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], distance([box[0], box[1]], [box[2], box[3]]) / 2);
+  drawFor('obstacle-shape', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places });
+}
+
 function Findings({ field }: { field: FieldFull }) {
   const { repairs, skipped, warnings } = field;
   const number = repairs.length + skipped.length + warnings.length;
@@ -58,13 +70,13 @@ function Findings({ field }: { field: FieldFull }) {
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
-            {sentence(t`mended: ${repair.what}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
+            {sentence(t`mended: ${told(repair.what)}`)} <span class="sub">{told(repair.where)}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
           </li>
         ))}
         {skipped.map((skip, i) => (
           <li key={i}>{sentence(t`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
         ))}
-        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+        {warnings.map((warning, i) => <li key={i}>{sentence(told(warning))}</li>)}
       </ul>
     </Expander>
   );
@@ -98,7 +110,7 @@ function Obstacles({ field }: { field: FieldFull }) {
               {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
             </span>
             <Button kind="quiet" aria-label={t`Change obstacle ${number}`}
-              onClick={() => drawFor('obstacle-area', (geometry) => changeField({ remove: [number], add: [{ kind: kind === 'passable' ? 'passable' : 'obstacle', geometry: withHoles(geometry, field, number) }] }), { places: obstacleRing(field, number) })}>{t`Change`}</Button>
+              onClick={() => changeObstacle(field, number, kind)}>{t`Change`}</Button>
             <Button kind="quiet" aria-label={t`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>{t`Remove`}</Button>
           </li>
         ))}

@@ -5,6 +5,7 @@ import { complain } from '../../actions/notices';
 import type { Place } from '../../api/types';
 import { hectares, metres, plural, squareMetres } from '../../format';
 import { unitOf } from '../../measures';
+import { boxOf } from '../../map/boxes';
 import { engine } from '../../map/engine_loader';
 import { distance, moved, ringArea } from '../../metres';
 import { Button } from '../../parts/button';
@@ -12,12 +13,14 @@ import { closed, drawing, fixedEnds, least, single, type Purpose } from '../../s
 import { useStore } from '../../state/store';
 import { t } from '../../words';
 
+const CHANGE = t`Drag corners, drag the small dots between them for new ones, or click further corners.`;
 const WORDS: Record<Purpose, { title: string; done: string }> = {
   field: { title: t`Click or tap the corners of the field, one after the other; the first once more closes it.`, done: t`Store the field` },
-  boundary: { title: t`Drag corners, drag the small dots between them for new ones, or click further corners.`, done: t`Keep this boundary` },
+  boundary: { title: CHANGE, done: t`Keep this boundary` },
   'obstacle-point': { title: t`Click or tap the middle of the obstacle.`, done: t`Add the obstacle` },
   'obstacle-line': { title: t`Click or tap the points of the line.`, done: t`Add the obstacle` },
   'obstacle-area': { title: t`Click or tap the corners of the obstacle.`, done: t`Add the obstacle` },
+  'obstacle-shape': { title: CHANGE, done: t`Keep this obstacle` },
   guide: { title: t`Click or tap the points of the line that the tracks are to follow.`, done: t`Follow this line` },
   gate: { title: t`Click or tap the gate of the field.`, done: t`Take this place` },
   direction: { title: t`Drag an end of the line: tracks turn with it, and the first swath begins at it.`, done: t`Keep this direction` },
@@ -43,7 +46,7 @@ export function DrawingBar() {
   return (
     <div class="drawing-bar" role="group" aria-label={t`Drawing`}>
       <p>
-        {title} {places.length > 0 && <strong>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose === 'obstacle-area' ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
+        {title} {places.length > 0 && <strong>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose.startsWith('obstacle') ? squareMetres(ground) : hectares(ground)}` : ''}.</strong>}
       </p>
       {purpose !== 'edge' && !fixedEnds(purpose) && <TypedPlace last={last ?? null} />}
       <div class="row">
@@ -74,7 +77,7 @@ function TypedPlace({ last }: { last: Place | null }) {
     add(place);
     const all = drawing.get().places;
     if (all.length < 2) engine()?.look(place, 100);
-    else engine()?.fit([Math.min(...all.map((p) => p[0])), Math.min(...all.map((p) => p[1])), Math.max(...all.map((p) => p[0])), Math.max(...all.map((p) => p[1]))]);
+    else engine()?.fit(boxOf(all)!);
     setText('');
   };
   return (

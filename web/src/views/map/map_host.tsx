@@ -1,10 +1,11 @@
 // The map's place on the page. The engine comes after the first paint.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { complain } from '../../actions/notices';
+import { attempt, complain } from '../../actions/notices';
 import { metres } from '../../format';
 import { unitOf } from '../../measures';
 import { farmBox } from '../../map/boxes';
 import { engine, loadEngine } from '../../map/engine_loader';
+import { firstPaint } from '../../map/first_paint';
 import type { Scale } from '../../map/grid';
 import { Icon } from '../../parts/icon';
 import { fields } from '../../state/fields';
@@ -15,20 +16,23 @@ import { useStore } from '../../state/store';
 import { DrawingBar } from './drawing_bar';
 import { t } from '../../words';
 
-function webglWorks(): boolean {
-  const canvas = document.createElement('canvas');
-  return canvas.getContext('webgl2') !== null;
+const webglWorks = () => document.createElement('canvas').getContext('webgl2') !== null;
+
+async function drawMap(box: () => HTMLElement | null, scaled: (scale: Scale) => void): Promise<void> {
+  await firstPaint();
+  try {
+    await loadEngine(box, scaled);
+  } catch (error) {
+    if (webglWorks()) throw error;
+    complain(t`This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.`);
+  }
 }
 
 export function MapHost() {
   const box = useRef<HTMLDivElement>(null);
   const [scale, setScale] = useState<Scale | null>(null);
   useEffect(() => {
-    if (!webglWorks()) {
-      complain(t`This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.`);
-      return;
-    }
-    void loadEngine(() => box.current, setScale);
+    void attempt(() => drawMap(() => box.current, setScale));
   }, []);
   const drawing = useStore(plans, (value) => value.drawing);
   return (

@@ -8,6 +8,7 @@ import { sameRates } from '../../state/rates';
 import { useStore } from '../../state/store';
 import { CostParts } from './cost_parts';
 import { OneDirection } from './one_direction';
+import { told } from '../../program_words';
 import { t } from '../../words';
 
 /** A wider gap between plan and bound says nothing. */
@@ -85,7 +86,7 @@ function Remarks({ plan }: { plan: PlanFull }) {
   return (
     <Expander title={t`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
       <ul class="plain">
-        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+        {warnings.map((warning, i) => <li key={i}>{sentence(told(warning))}</li>)}
         {dropped.length > 0 && <li>{dropped.length === 1 ? t`One piece was too short to be worth driving; its land counts as uncovered.` : t`${count(dropped.length)} pieces were too short to be worth driving; their land counts as uncovered.`}</li>}
       </ul>
     </Expander>

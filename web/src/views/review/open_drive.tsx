@@ -12,6 +12,7 @@ import { TitleField } from '../../parts/title_field';
 import { Gaps } from './gaps';
 import { meshFigures, ReplayBar } from './replay_bar';
 import { WorkForm } from './work_form';
+import { told } from '../../program_words';
 import { t } from '../../words';
 
 export function OpenDrive({ drive }: { drive: DriveFull }) {
@@ -103,7 +104,7 @@ function Remarks({ drive }: { drive: DriveFull }) {
     <Expander title={t`Remarks on the log`}>
       <ul class="plain">
         {skipped_count > 0 && <li>{t`${plural(skipped_count, 'record')} could not be used.`}</li>}
-        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+        {warnings.map((warning, i) => <li key={i}>{sentence(told(warning))}</li>)}
       </ul>
     </Expander>
   );
