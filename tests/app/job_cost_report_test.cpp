@@ -48,8 +48,8 @@ TEST(JobCosts, LeaveRefusedFieldsOutOfSums) {
   jobs[2].refusal = "no track fits";
   EXPECT_DOUBLE_EQ(job_cost_sums_json(jobs)["sums"][0]["hours"], 3);
   EXPECT_EQ(job_cost_cells(jobs).rows.size(), 2U);
-  // Of 13 columns the two names and the error are filled.
-  EXPECT_NE(job_cost_csv(jobs).find("\"tiny, \"\"corner\"\"\",\"\",,,,,,,,,,,\"no track fits\"\n"),
+  // Of 14 columns the two names and the error are filled.
+  EXPECT_NE(job_cost_csv(jobs).find("\"tiny, \"\"corner\"\"\",\"\",,,,,,,,,,,,\"no track fits\"\n"),
             std::string::npos)
       << job_cost_csv(jobs);
 }

@@ -543,6 +543,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   'Whole routes that were compared': 'Ganze Routen, die verglichen wurden',
   'Tracks and headlands': 'Spuren und Vorgewende',
   '; {0} without room': '; {0} ohne Platz',
+  'Legs without room': 'Wege ohne Platz',
   'Headland passes alone': 'Nur Vorgewendefahrten',
   'Towards {0}{1}': 'Richtung {0}{1}',
   'no headland': 'kein Vorgewende',
