@@ -192,8 +192,8 @@ flow('figures come before layers, and layers are compressed and as fine as the s
   assert.ok(numbers(coarse) > 0 && numbers(coarse) < numbers(fine), 'of fewer vertices');
 });
 
-flow('progress never falls, is not all before the plan is there, and says how long it takes still', {}, async ({ page, server }) => {
-  await openField(page, smallField(server.folder, 'angle'));
+flow('progress never falls, is not all before the plan is there, and says how long it takes still', {}, async ({ page }) => {
+  await openField(page, example('riverside.geojson')); // long enough to have time left
   await goTo(page, 'Plan');
   await page.evaluate(() => {
     window.told = [];

@@ -65,13 +65,15 @@ export async function visible(page, layer) {
   return page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
 }
 
-/** The picture stands still: nothing is loading or moving. */
-export const still = (page) =>
-  page.evaluate(() => new Promise((resolve) => {
+/** The picture stands still: nothing is loading or moving. The map begins after the page's first paint. */
+export async function still(page) {
+  await page.waitForFunction(() => window.tramlineMap);
+  await page.evaluate(() => new Promise((resolve) => {
     const map = window.tramlineMap;
     map.once('idle', resolve);
     map.triggerRepaint();
   }));
+}
 
 export async function clickMap(page, place) {
   const [x, y] = await page.evaluate((at) => {
