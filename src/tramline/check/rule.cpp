@@ -2,6 +2,7 @@
 
 namespace tramline::check {
 
+// NOLINTNEXTLINE(readability-function-size): a name for each rule
 std::string_view name(Rule rule) {
   switch (rule) {
     case Rule::kBody:

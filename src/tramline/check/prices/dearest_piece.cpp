@@ -93,9 +93,9 @@ class DearestPiece {
 
   void add_line(const Look& look, int line, double sign, std::vector<double>& rows) const {
     const Point foot = pivot_ + (line + 0.5) * look.step_m * right_;
-    for (int row = -rows_; row < rows_; ++row)
-      rows[static_cast<std::size_t>(row + rows_)] +=
-          sign * look.ground.at(foot + (row + 0.5) * look.step_m * up_);
+    for (int i = 0; i < 2 * rows_; ++i)
+      rows[static_cast<std::size_t>(i)] +=
+          sign * look.ground.at(foot + (i - rows_ + 0.5) * look.step_m * up_);
   }
 
   void look_at(const Look& look, const Offsets& range, std::vector<Offsets>& open,

@@ -195,7 +195,9 @@ std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like
 
 std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   std::vector<LaidOut> out;
-  const auto& [ignored, problem, prepared] = behind(passes);
+  const Behind& on = behind(passes);
+  const PlanningProblem& problem = on.problem;
+  const std::shared_ptr<const PreparedField>& prepared = on.prepared;
   if (!prepared) return out;
   if (area(prepared->ground.plannable) == 0) {
     PlanDraft draft = drafted(SearchTask(problem, *prepared), {});

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "tramline/model/speeds.h"
+#include "tramline/route/axle/axle_path.h"
 
 namespace tramline {
 namespace {

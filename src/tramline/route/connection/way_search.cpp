@@ -47,7 +47,6 @@ class WaySearch {
         ends_(ends),
         ways_on_(on_roadmap),
         roadmap_(on_roadmap.roadmap()),
-        ground_(ground),
         radius_m_(ground.machine().radius_m),
         speed_(ground.machine().turning.turning_speed_mps),
         visits_(begins.size() + roadmap_.poses().size() + ends.size()) {}
@@ -172,8 +171,8 @@ class WaySearch {
     for (; !is_begin(place); place = visits_[place].from) parts.push_back(&visits_[place].way);
     out.begin = place;
     parts.push_back(&begins_[place].path);
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
-      out.path.insert(out.path.end(), (*part)->begin(), (*part)->end());
+    std::reverse(parts.begin(), parts.end());
+    for (const SteeredPath* part : parts) out.path.insert(out.path.end(), part->begin(), part->end());
     return out;
   }
 
@@ -182,7 +181,6 @@ class WaySearch {
   const std::vector<WayEnd>& ends_;
   RoadmapWays& ways_on_;
   const Roadmap& roadmap_;
-  const DrivingGround& ground_;
   double radius_m_;
   double speed_;
   std::vector<Visit> visits_;
