@@ -179,6 +179,30 @@ auto lacking(const TrackTour& tour) {
   return std::ranges::count_if(tour.ways, [](const Way& way) { return !way.has_room(); });
 }
 
+SteeredPath eastwards(double from_m, double length_m, Gear gear) {
+  const Heading heading = Heading::clockwise_from_north(Angle::degrees(90));
+  return {arc_from({{from_m, 0}, heading}, length_m, 0, gear)};
+}
+
+// Ten metres before, four of them backed, seven forward again, and two of the work come over by backing into
+// it.
+TEST(DrivenForward, LeavesOutWhatWasBackedOver) {
+  const SteeredPath before = eastwards(0, 10, Gear::kForward), work = eastwards(11, 20, Gear::kForward);
+  Way way;
+  way.backs_out = way.backs_in = true;
+  way.path = {eastwards(10, 4, Gear::kReverse).front(), eastwards(6, 7, Gear::kForward).front(),
+              eastwards(13, 2, Gear::kReverse).front()};
+  const SteeredPath driven = driven_forward(before, way, work);
+  EXPECT_NEAR(length(driven), 6 + 7 + 18, 1e-9);
+  EXPECT_NEAR(driven.front().start.at.x, 0, 1e-9);
+  EXPECT_NEAR(driven.back().start.at.x + driven.back().length_m, 31, 1e-9);
+  // Backed along land that it had not come over: from there on only.
+  const SteeredPath elsewhere = eastwards(100, 10, Gear::kForward);
+  EXPECT_NEAR(length(driven_forward(elsewhere, way, work)), 7 + 18, 1e-9);
+  way.missing_m = 1;
+  EXPECT_NEAR(length(driven_forward(before, way, work)), 20, 1e-9);
+}
+
 /// Where nothing reaches out, a tour costs about as much from its end: looking at one sense is enough.
 TEST(WithWays, OneSenseIsEnoughForABar) {
   double one_s = 0, both_s = 0;

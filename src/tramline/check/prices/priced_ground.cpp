@@ -1,11 +1,11 @@
 #include "tramline/check/prices/priced_ground.h"
 
-#include "tramline/check/tolerances.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {

@@ -192,16 +192,21 @@ class Comparison {
           break;
   }
 
-  /// The best entry, and others in other directions that come near it, the best one last.
-  std::vector<std::size_t> near_the_best() const {
+  /// The entries that cost no more than this share above the best one, the cheapest first.
+  std::vector<std::size_t> cheapest_within(double share) const {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].price && *entries_[i].price <= (1 + kComesNear) * least_price()) out.push_back(i);
+      if (entries_[i].price && *entries_[i].price <= (1 + share) * least_price()) out.push_back(i);
     std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
       return *entries_[a].price < *entries_[b].price;
     });
+    return out;
+  }
+
+  /// The best entry, and others in other directions that come near it, the best one last.
+  std::vector<std::size_t> near_the_best() const {
     std::vector<std::size_t> distinct;
-    for (const std::size_t i : out)
+    for (const std::size_t i : cheapest_within(kComesNear))
       if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t other) {
             return same_directions(entries_[i].laid.trial.draft.plan, entries_[other].laid.trial.draft.plan);
           }))
@@ -240,14 +245,8 @@ class Comparison {
 
   /// The best entries behind different passes that cost about the same, the best one first.
   std::vector<std::size_t> about_as_good() const {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].price && *entries_[i].price <= (1 + kAsGood) * least_price()) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-      return *entries_[a].price < *entries_[b].price;
-    });
     std::vector<std::size_t> out;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : cheapest_within(kAsGood)) {
       const bool known = std::any_of(out.begin(), out.end(), [&](std::size_t other) {
         return entries_[i].laid.trial.passes == entries_[other].laid.trial.passes;
       });
