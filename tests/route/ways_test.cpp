@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <optional>
 #include <vector>
 
@@ -201,6 +202,42 @@ TEST(DrivenForward, LeavesOutWhatWasBackedOver) {
   EXPECT_NEAR(length(driven_forward(elsewhere, way, work)), 7 + 18, 1e-9);
   way.missing_m = 1;
   EXPECT_NEAR(length(driven_forward(before, way, work)), 20, 1e-9);
+}
+
+/// Ways from an end are expected to cost more once one was found that does: not less than before, and by no
+/// more than that one. A way without room tells nothing of others.
+TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
+  int dearer = 0, without_room = 0;
+  for_each_seed(200, [&](std::mt19937_64& random, int) {
+    Machine machine;
+    machine.width_m = uniform(random, 3, 7);
+    machine.radius_m = uniform(random, 3, 7);
+    const Tracks tracks = random_tracks(random, machine.width_m);
+    const AllowedLand land({{tracks.field.outer, {}}});
+    const DrivingGround ground(land, tracks.field, machine, tracks.body);
+    RoadmapOnDemand roadmap(
+        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
+        ground);
+    const Connector connector(ground, roadmap, {});
+    std::vector<RouteLine> lines;
+    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
+    const LeastSeconds least(machine);
+    KnownCosts costs(lines, connector, least);
+    const order::End a = 1, b = 3, c = 5;  // where the first three tracks end
+    const double foreseen_s = costs.between(a, b), other_s = costs.between(a, c);
+    const Way way = costs.way(a, b);
+    const double more_s = costs.between(a, c) - other_s;
+    if (!way.has_room()) {
+      EXPECT_EQ(more_s, 0);
+      ++without_room;
+    } else if (const double excess_s = way.cost_s - foreseen_s; excess_s > 1) {
+      EXPECT_GT(more_s, 0);
+      EXPECT_LT(more_s, excess_s);
+      ++dearer;
+    }
+  });
+  EXPECT_GT(dearer, 10);
+  std::cout << dearer << " ways dearer than foreseen, " << without_room << " without room\n";
 }
 
 /// Where nothing reaches out, a tour costs about as much from its end: looking at one sense is enough.

@@ -205,7 +205,13 @@ void expect_as_seen(Count& count, std::mt19937_64& random, Steering steering, bo
     ++(fits ? count.fits : count.leaves);
   }
   if (seen.distance_m > 0) {
-    EXPECT_NEAR(allowed.missing_m(path, outline), seen.distance_m, 0.04);
+    const double missing_m = allowed.missing_m(path, outline);
+    EXPECT_NEAR(missing_m, seen.distance_m, 0.04);
+    for (const double share : {0.3, 1.5}) {  // enough is known before all is
+      const double known_m = allowed.missing_m(path, outline, share * missing_m);
+      EXPECT_GE(known_m, std::min(share, 1.0) * missing_m);
+      EXPECT_LE(known_m, missing_m);
+    }
   }
 }
 

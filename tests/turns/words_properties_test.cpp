@@ -84,6 +84,7 @@ TEST(WordsProperties, ShortestWaysAreNoLongerThanThoseOfOmpl) {
     }
     EXPECT_NEAR(dubins_length(from, to, radius_m), length(forward.path), 1e-9 * scale + 1e-7);
     EXPECT_NEAR(reeds_shepp_length(from, to, radius_m), length(both.path), 1e-9 * scale + 1e-7);
+    EXPECT_LE(least_length(from, to, radius_m), length(both.path) + 1e-9 * scale + 1e-7);
   });
   RecordProperty("shorter_than_dubins_of_ompl", shorter_dubins);
   RecordProperty("shorter_than_reeds_shepp_of_ompl", shorter_both);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -38,6 +39,15 @@ TEST(Dubins, EqualPosesNeedNoWay) {
   EXPECT_EQ(reeds_shepp_length(here, here, 6), 0);
   EXPECT_TRUE(shortest_reeds_shepp(here, here, 6).path.empty());
   EXPECT_TRUE(reeds_shepp_words(here, here, 6).front().path.empty());
+}
+
+/// Along a line or round a circle no way is shorter than the lower bound; one metre aside, with the heading
+/// turned about, half a circle has to be driven at least.
+TEST(Words, LeastLengthIsThatOfALineOrACircle) {
+  EXPECT_NEAR(least_length(pose(0, 0, 90), pose(25, 0, 90), 6), 25, 1e-12);
+  const double quarter_m = 0.5 * std::numbers::pi * 6;
+  EXPECT_NEAR(least_length(pose(0, 0, 0), pose(6, 6, 90), 6), quarter_m, 1e-9);
+  EXPECT_NEAR(least_length(pose(0, 0, 0), pose(1, 0, 180), 6), 2 * quarter_m, 1e-9);
 }
 
 TEST(Dubins, RoundingAsksForNoLoop) {

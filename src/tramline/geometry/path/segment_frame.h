@@ -13,10 +13,9 @@ namespace tramline {
 class SegmentFrame {
  public:
   SegmentFrame(const PathSegment& segment, double half_width) : half_(half_width) {
-    // Square roots instead of the hypotenuses and angles of path.h: this is computed for every segment of
-    // every track.
+    // Square roots instead of the angles of path.h: this is computed for every segment of every track.
     const Point chord = segment.to - segment.from;
-    const double across = std::sqrt(dot(chord, chord));
+    const double across = tramline::length(chord);
     origin_ = segment.from;
     ahead_ = (1 / across) * chord;
     length_ = across;

@@ -23,7 +23,7 @@ constexpr double kComesNear = 0.1;
 /// So many layouts are laid anew behind other passes.
 constexpr std::size_t kLaidAnew = 3;
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
-constexpr double kExpected = 0.4;
+constexpr double kExpected = 0.6;
 /// So many routes behind the same passes lack room before it is held to be the land's fault.
 constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// A plan lacks room where more than one track in so many is backed out of or into.
@@ -141,7 +141,9 @@ class Comparison {
     const double before = least_price();
     plan_route(entry);
     if (!may_win) return false;
-    least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, *entry.price - entry.floor));
+    // Other layouts may have room where this one has none.
+    const double with_room = *entry.price - whole_cost(entry.laid.trial.draft.plan).without_room;
+    least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, with_room - entry.floor));
     if (*entry.price >= before) return false;
     best_ = i;
     return true;

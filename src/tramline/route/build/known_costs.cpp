@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "tramline/route/order/point_grid.h"
 #include "tramline/turns/turn_off.h"
 
 namespace tramline {
@@ -18,6 +19,9 @@ constexpr double kBacking_radii = 1.5;
 /// farther.
 constexpr double kFar_turns = 3, kRoundAbout = 1.5;
 
+/// What ways cost more than foreseen is due to both of their ends, and less of it to be expected of others.
+constexpr double kOfEachEnd = 0.35;
+
 double cost_of(const Way& way) {
   return way.has_room() ? way.cost_s : way.cost_s + kWithoutRoom_s * (1 + way.missing_m);
 }
@@ -30,6 +34,8 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
       connector_(connector),
       least_(least),
       backing_s_(2 * lines.size(), 0),
+      more_s_(2 * lines.size(), 0),
+      knows_(2 * lines.size(), false),
       at_start_(2 * lines.size(), 0),
       at_finish_(2 * lines.size(), 0) {
   const DrivingGround& ground = connector.ground();
@@ -46,6 +52,21 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
       backing_s_[end] = connector.terms().stop_s + 2 * turning.gear_change_s +
                         back_m / turning.reverse_speed_mps + back_m / turning.turning_speed_mps;
   }
+  look_at_nearest();
+}
+
+/// The straight lines from where an end is left to where others are entered decide.
+void KnownCosts::look_at_nearest() {
+  const std::size_t looked_at = order::NeighbourCounts{}.looked_at;
+  std::vector<Point> places;
+  for (const Pose& entered : entered_) places.push_back(entered.at);
+  const order::PointGrid grid(places);
+  for (order::End end = 0; end < left_.size(); ++end) {
+    std::vector<std::size_t> nearest = grid.nearest(left_[end].at, looked_at + 2);
+    std::erase_if(nearest, [&](std::size_t other) { return order::line_of(other) == order::line_of(end); });
+    nearest.resize(std::min(nearest.size(), looked_at));
+    looked_at_.push_back(std::move(nearest));
+  }
 }
 
 double KnownCosts::estimate(order::End left, order::End entered) const {
@@ -57,7 +78,8 @@ double KnownCosts::estimate(order::End left, order::End entered) const {
 
 double KnownCosts::one_way(order::End left, order::End entered) const {
   const auto found = ways_.find(key(left, entered));
-  return found != ways_.end() ? cost_of(found->second) : estimate(left, entered);
+  if (found != ways_.end()) return cost_of(found->second);
+  return estimate(left, entered) + kOfEachEnd * (more_s_[left] + more_s_[entered]);
 }
 
 double KnownCosts::between(order::End a, order::End b) const {
@@ -73,9 +95,7 @@ double KnownCosts::between(order::End a, order::End b) const {
 }
 
 order::Neighbours KnownCosts::neighbours() const {
-  return order::neighbours_of(
-      left_.size(), [this](std::size_t a, std::size_t b) { return least_.crude(left_[a], entered_[b]); },
-      [this](std::size_t a, std::size_t b) { return between(a, b); });
+  return order::cheapest_of(looked_at_, [this](std::size_t a, std::size_t b) { return between(a, b); });
 }
 
 void KnownCosts::settle_start(order::End entered) {
@@ -93,10 +113,18 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   assert(order::line_of(left) != order::line_of(entered));
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return found->second;
-  between_.erase(key(std::min(left, entered), std::max(left, entered)));
+  between_.clear();
   Way way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
                                lines_[order::line_of(entered)].entered_by(entered).first);
+  if (way.has_room()) learn(left, entered, way.cost_s - estimate(left, entered));
   return ways_.emplace(key(left, entered), std::move(way)).first->second;
+}
+
+void KnownCosts::learn(order::End left, order::End entered, double more_s) {
+  for (const order::End end : {left, entered}) {
+    more_s_[end] = knows_[end] ? std::min(more_s_[end], more_s) : more_s;
+    knows_[end] = true;
+  }
 }
 
 }  // namespace tramline

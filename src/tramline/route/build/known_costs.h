@@ -19,9 +19,10 @@
 namespace tramline {
 
 /// Costs of ways between lines: that of the way found, once it has been looked for, and until then what it
-/// costs at least where there is room, with what backing out takes at ends without a way off. Symmetric, as
-/// searches need it: where machine and implement sweep differently in the two senses, the mean of both. Not
-/// for several threads.
+/// costs at least where there is room, with what backing out takes at ends without a way off and, once other
+/// ways from its two ends have been found, a share of what the best of those cost more than that: where a
+/// headland is shallow for some, it is for others. Symmetric, as searches need it: where machine and
+/// implement sweep differently in the two senses, the mean of both. Not for several threads.
 class KnownCosts final : public order::EndCosts {
  public:
   /// All outlive the costs.
@@ -59,8 +60,11 @@ class KnownCosts final : public order::EndCosts {
   void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
 
  private:
+  void look_at_nearest();
   double estimate(order::End left, order::End entered) const;
   double one_way(order::End left, order::End entered) const;
+  /// A way with room costs so much more than its estimate.
+  void learn(order::End left, order::End entered, double more_s);
   std::uint64_t key(order::End left, order::End entered) const {
     return static_cast<std::uint64_t>(left) * 2 * lines_.size() + entered;
   }
@@ -71,7 +75,11 @@ class KnownCosts final : public order::EndCosts {
   double far_m_ = 0;
   std::vector<Pose> left_;
   std::vector<Pose> entered_;
+  order::Neighbours looked_at_;
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
+  std::vector<double>
+      more_s_;               ///< by end: the least that a way found costs more than estimated; 0 until then
+  std::vector<bool> knows_;  ///< by end: whether one was found
   std::vector<double> at_start_;
   std::vector<double> at_finish_;
   std::unordered_map<std::uint64_t, Way> ways_;

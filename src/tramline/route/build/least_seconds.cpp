@@ -9,18 +9,6 @@
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
-namespace {
-
-/// No way is shorter, whatever its gears: on circles of the radius and wider ones the heading changes by no
-/// more than the length over the radius.
-double least_reversing_m(const Pose& from, const Pose& to, double radius_m) {
-  const Point a = from.heading.unit(), b = to.heading.unit();
-  const double turned = std::atan2(std::abs(cross(a, b)), dot(a, b));
-  return std::max(distance(from.at, to.at), radius_m * turned);
-}
-
-}  // namespace
-
 LeastSeconds::LeastSeconds(const Machine& machine)
     : turning_(machine.turning),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
@@ -44,10 +32,14 @@ double LeastSeconds::between(const Pose& left, const Pose& entered) const {
 
 double LeastSeconds::between(const Pose& left, double lift_m, const Pose& entered, double lower_m,
                              double known_s) const {
+  const double least_m = least_length(left, entered, radius_m_);
+  const double changes_s = 2 * turning_.gear_change_s;
+  const double least_forward_s = least_m / turning_.turning_speed_mps;
+  const double reversing_s = changes_s + least_m / fastest_mps_;
+  if (reverses_ ? std::min(least_forward_s, reversing_s) >= known_s : least_forward_s >= known_s)
+    return known_s;
   const double forward_s = forward(left, lift_m, entered, lower_m);
   if (!reverses_) return forward_s;
-  const double changes_s = 2 * turning_.gear_change_s;
-  const double reversing_s = changes_s + least_reversing_m(left, entered, radius_m_) / fastest_mps_;
   if (reversing_s >= std::min(forward_s, known_s)) return std::min(forward_s, reversing_s);
   return std::min(forward_s, changes_s + reeds_shepp_length(left, entered, radius_m_) / fastest_mps_);
 }

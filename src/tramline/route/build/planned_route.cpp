@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "tramline/model/rate_values.h"
 #include "tramline/route/build/followed_lines.h"
@@ -11,6 +10,7 @@
 #include "tramline/route/build/leg_list.h"
 #include "tramline/route/build/pass_tour.h"
 #include "tramline/route/build/track_tour.h"
+#include "tramline/route/order/point_grid.h"
 #include "tramline/turns/track_ends.h"
 
 namespace tramline {
@@ -195,14 +195,18 @@ class RoutePlanner {
         const SteeredPath& left = lines[order::line_of(end)].left_by(end).last;
         return nearest_pass(pass_task(passes), left).before;
       });
+    std::vector<Pose> entered;
+    std::vector<Point> places;
+    for (const std::size_t pass : passes)
+      for (const PassEntry& entry : entries_[pass]) {
+        entered.push_back(entry.entered);
+        places.push_back(entry.entered.at);
+      }
+    const order::PointGrid near(places);
     for (order::End end = 0; end < 2 * lines.size(); ++end) {
       const Pose left = pose_left_by(lines[order::line_of(end)], end);
-      double least_s = std::numeric_limits<double>::infinity();
-      for (const std::size_t pass : passes)
-        for (const PassEntry& entry : entries_[pass])
-          least_s = std::min(least_s, least_.crude(left, entry.entered));
       if (!passes.empty())
-        costs.set_finish(end, least_s);
+        costs.set_finish(end, least_.crude(left, entered[near.nearest(left.at, 1).front()]));
       else if (out_.end)
         costs.set_finish(end, least_.to_gate(*out_.end, left));
     }

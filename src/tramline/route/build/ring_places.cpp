@@ -29,6 +29,22 @@ double least_of_places(std::size_t places, double most_fall, double known, Crude
   return known;
 }
 
+/// The place of the least crude value: what is found there rules out most others.
+template <typename Crude>
+std::size_t nearest_place(std::size_t places, double most_fall, Crude crude) {
+  std::size_t best = 0;
+  double least = kFar;
+  for (std::size_t i = 0; i < places;) {
+    const double here = crude(i);
+    if (here < least) {
+      least = here;
+      best = i;
+    }
+    i += static_cast<std::size_t>((here - least) / most_fall) + 1;
+  }
+  return best;
+}
+
 double fall_s(const RingPlaces& ring, const LeastSeconds& least) {
   return ring.step_m / least.turning_speed_mps();
 }
@@ -52,13 +68,14 @@ RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
 
 double least_from_ring(const RingPlaces& ring, const Pose& entered, const LeastSeconds& least) {
   double out = kFar;
-  for (const std::vector<Pose>& places : ring.senses)
-    out = least_of_places(
-        places.size(), fall_s(ring, least), out,
-        [&](std::size_t i) { return crude_s(places[i], entered, least); },
-        [&](std::size_t i, double known_s) {
-          return least.between(places[i], 0, entered, least.lower_m(), known_s);
-        });
+  for (const std::vector<Pose>& places : ring.senses) {
+    const auto crude = [&](std::size_t i) { return crude_s(places[i], entered, least); };
+    const auto value = [&](std::size_t i, double known_s) {
+      return least.between(places[i], 0, entered, least.lower_m(), known_s);
+    };
+    out = std::min(out, value(nearest_place(places.size(), fall_s(ring, least), crude), out));
+    out = least_of_places(places.size(), fall_s(ring, least), out, crude, value);
+  }
   return std::max(0.0, out - fall_s(ring, least));
 }
 
@@ -67,12 +84,12 @@ double least_to_ring(const Pose& left, const RingPlaces& ring, const LeastSecond
   double out = kFar;
   for (const std::vector<Pose>& places : ring.senses) {
     const auto place = [&](std::size_t i) { return places[places.size() - 1 - i]; };
-    out = least_of_places(
-        places.size(), fall_s(ring, least), out,
-        [&](std::size_t i) { return crude_s(left, place(i), least); },
-        [&](std::size_t i, double known_s) {
-          return least.between(left, least.lift_m(), place(i), 0, known_s);
-        });
+    const auto crude = [&](std::size_t i) { return crude_s(left, place(i), least); };
+    const auto value = [&](std::size_t i, double known_s) {
+      return least.between(left, least.lift_m(), place(i), 0, known_s);
+    };
+    out = std::min(out, value(nearest_place(places.size(), fall_s(ring, least), crude), out));
+    out = least_of_places(places.size(), fall_s(ring, least), out, crude, value);
   }
   return std::max(0.0, out - fall_s(ring, least));
 }

@@ -1,6 +1,7 @@
 #include "tramline/route/build/track_tour.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "tramline/route/build/found_order.h"
@@ -9,8 +10,9 @@
 namespace tramline {
 namespace {
 
-/// Ways along the best tour are looked for so often.
-constexpr int kMostRounds = 10;
+/// Ways along the best tour are looked for so often; some more times as long as some of them lack room, and
+/// no longer once so many tours were no better.
+constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
 /// What was foreseen of a tour is near enough, as a share of it.
 constexpr double kForeseen = 1e-3;
 
@@ -70,16 +72,25 @@ TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
 }
 
 TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, KnownCosts& costs) {
-  const order::Neighbours neighbours = costs.neighbours();
   std::vector<Tour> settled;
-  Tour tour = found_order(costs, neighbours, given, order::Effort::kWhole);
-  for (int round = 0; round < kMostRounds; ++round) {
+  Tour tour = found_order(costs, costs.neighbours(), given, order::Effort::kWhole);
+  double least_s = std::numeric_limits<double>::infinity();
+  std::ptrdiff_t lacking = 0;  // ways of the best tour
+  for (int round = 0, idle = 0; round < (lacking > 0 ? kMostForRoom : kMostRounds); ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
-    in_order(tour, costs);
+    const TrackTour found = in_order(tour, costs);
     settle_ends(tour, costs);
     settled.push_back(tour);
-    if (order::connection_s(tour, costs) <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
-    tour = found_order(costs, neighbours, settled, order::Effort::kAgain);
+    const double cost_s = order::connection_s(tour, costs);
+    if (cost_s <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
+    if (cost_s < least_s) {
+      least_s = cost_s;
+      lacking = without_room(found.ways);
+      idle = 0;
+    } else if (++idle >= kPatience && lacking == 0) {
+      break;
+    }
+    tour = found_order(costs, costs.neighbours(), settled, order::Effort::kAgain);
   }
   return with_ways(cheapest(settled, costs), senses, costs);
 }

@@ -7,6 +7,7 @@
 
 #include "tramline/route/connection/way.h"
 #include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
 namespace {
@@ -96,14 +97,20 @@ class WaySearch {
     return is_end(place) ? end_at(place).pose : on_roadmap(place).pose;
   }
 
-  /// Of the way from a place to the nearest end.
+  /// Of the way from a place to the nearest end: no way forward is shorter than a shortest Dubins path.
   double least_s(std::size_t place) {
     if (is_end(place)) return 0;
     double& known_s = visits_[place].least_s;
     if (known_s >= 0) return known_s;
     known_s = std::numeric_limits<double>::infinity();
-    for (const WayEnd& end : ends_)
-      known_s = std::min(known_s, kHaste * distance(pose(place).at, end.pose.at) / speed_ + end.cost_s);
+    const Pose& from = pose(place);
+    for (const WayEnd& end : ends_) {
+      const double hasty_s = kHaste * distance(from.at, end.pose.at) / speed_;
+      if (std::max(hasty_s, least_length(from, end.pose, radius_m_) / speed_) + end.cost_s >= known_s)
+        continue;
+      const double forward_s = dubins_length(from, end.pose, radius_m_) / speed_;
+      known_s = std::min(known_s, std::max(hasty_s, forward_s) + end.cost_s);
+    }
     return known_s;
   }
 

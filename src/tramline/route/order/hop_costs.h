@@ -1,7 +1,6 @@
 #pragma once
 // The costs of hops between the ends of lines, by which tours are compared.
 
-#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -28,11 +27,7 @@ class HopCosts {
   Point at(End end) const { return ends_[end]; }
   std::size_t lines() const { return tracks_.size(); }
   /// Along the straight line, m.
-  double distance_m(End a, End b) const {
-    // A square root, although point.h uses a hypotenuse: comparing tours takes millions of these.
-    const Point way = ends_[b] - ends_[a];
-    return std::sqrt(dot(way, way));
-  }
+  double distance_m(End a, End b) const { return distance(ends_[a], ends_[b]); }
   /// A lower bound of cost() that does not need the hop's way round.
   double least(End a, End b) const;
   /// Symmetric.

@@ -1,6 +1,7 @@
 #include "tramline/route/search/neighbours.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tramline::order {
 namespace {
@@ -17,7 +18,7 @@ struct RatedNode {
 
 Neighbours neighbours_of(std::size_t nodes, const PairCost& estimate, const PairCost& cost,
                          const NeighbourCounts& counts) {
-  Neighbours out(nodes);
+  Neighbours looked_at(nodes);
   std::vector<RatedNode> nearest;  // a heap, the farthest first
   for (std::size_t node = 0; node < nodes; ++node) {
     nearest.clear();
@@ -33,12 +34,22 @@ Neighbours neighbours_of(std::size_t nodes, const PairCost& estimate, const Pair
       }
       std::push_heap(nearest.begin(), nearest.end());
     }
-    for (RatedNode& rated : nearest) rated.cost = cost(node, rated.node);
-    std::sort(nearest.begin(), nearest.end());
-    nearest.resize(std::min(nearest.size(), counts.kept));
-    for (const RatedNode& rated : nearest) out[node].push_back(rated.node);
+    for (const RatedNode& rated : nearest) looked_at[node].push_back(rated.node);
   }
-  return out;
+  return cheapest_of(std::move(looked_at), cost, counts.kept);
+}
+
+Neighbours cheapest_of(Neighbours looked_at, const PairCost& cost, std::size_t kept) {
+  std::vector<RatedNode> rated;
+  for (std::size_t node = 0; node < looked_at.size(); ++node) {
+    rated.clear();
+    for (const std::size_t other : looked_at[node]) rated.push_back({cost(node, other), other});
+    std::sort(rated.begin(), rated.end());
+    rated.resize(std::min(rated.size(), kept));
+    looked_at[node].clear();
+    for (const RatedNode& one : rated) looked_at[node].push_back(one.node);
+  }
+  return looked_at;
 }
 
 }  // namespace tramline::order

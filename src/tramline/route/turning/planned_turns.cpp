@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tramline/route/turning/stops.h"
@@ -122,8 +123,9 @@ PlannedTurn without_room(const std::vector<HopWay>& ways, const AllowedLand& lan
   PlannedTurn out;
   out.state = TurnState::kNoRoom;
   for (std::size_t i = 0; i < std::min(ways.size(), kMostMeasured); ++i) {
-    const double missing_m = land.missing_m(ways[i].manoeuvre.path, outline);
-    if (i > 0 && missing_m >= out.missing_m) continue;
+    const double enough_m = i > 0 ? out.missing_m : std::numeric_limits<double>::infinity();
+    const double missing_m = land.missing_m(ways[i].manoeuvre.path, outline, enough_m);
+    if (i > 0 && missing_m >= enough_m) continue;
     out.missing_m = missing_m;
     out.manoeuvre = ways[i].manoeuvre;
   }

@@ -239,6 +239,12 @@ double reeds_shepp_length(const Pose& from, const Pose& to, double radius_m) {
   return radius_m * least;
 }
 
+double least_length(const Pose& from, const Pose& to, double radius_m) {
+  const Point a = from.heading.unit(), b = to.heading.unit();
+  const double turned = std::atan2(std::abs(cross(a, b)), dot(a, b));
+  return std::max(distance(from.at, to.at), radius_m * turned);
+}
+
 Manoeuvre shortest_reeds_shepp(const Pose& from, const Pose& to, double radius_m) {
   assert(radius_m > 0);
   double least = std::numeric_limits<double>::infinity();

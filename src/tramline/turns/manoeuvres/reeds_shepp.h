@@ -19,6 +19,9 @@ std::vector<Manoeuvre> reeds_shepp_words(const Pose& from, const Pose& to, doubl
 /// The length of the shortest of them, m, without building any. 0 between equal poses. O(1), allocates
 /// nothing. Precondition: radius_m > 0.
 double reeds_shepp_length(const Pose& from, const Pose& to, double radius_m);
+/// A lower bound of that which takes a fraction of its time: the straight line, and the length of circle on
+/// which the heading changes by as much. No way of least radius is shorter, whatever its gears. O(1).
+double least_length(const Pose& from, const Pose& to, double radius_m);
 /// The shortest of reeds_shepp_words(), without building the others. Precondition: radius_m > 0.
 Manoeuvre shortest_reeds_shepp(const Pose& from, const Pose& to, double radius_m);
 

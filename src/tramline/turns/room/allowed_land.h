@@ -1,6 +1,7 @@
 #pragma once
 // Is there room for what a machine sweeps when it turns?
 
+#include <limits>
 #include <vector>
 
 #include "tramline/turns/outline/outline.h"
@@ -37,8 +38,10 @@ class AllowedLand {
   /// The greatest distance from the land of a point of the outline on its way, m: how much room is missing.
   /// 0 where it fits; otherwise found to kMissingRoom_m by bounding (the distance from the land changes by no
   /// more than a point moves), and rather too little than too much. For reports: O(n) for each of up to
-  /// 30 000 places.
-  double missing_m(const SteeredPath& path, const Outline& outline) const;
+  /// 30 000 places. Where it is `enough_m` or more, the answer may be less than it, but is `enough_m` at
+  /// least.
+  double missing_m(const SteeredPath& path, const Outline& outline,
+                   double enough_m = std::numeric_limits<double>::infinity()) const;
 
   /// The land as given, oriented.
   const Region& land() const { return land_; }

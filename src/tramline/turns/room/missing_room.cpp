@@ -100,7 +100,7 @@ class MissingRoom {
     if (outline.tows()) towed_.emplace(path, outline);
   }
 
-  double greatest() {
+  double greatest(double enough_m) {
     for (std::size_t i = 0; i < path_.size(); ++i) {
       for (const Box& part : outline_.on_machine) add_sides(part, false, i, 0, path_[i].length_m);
       if (!outline_.tows()) continue;
@@ -109,7 +109,8 @@ class MissingRoom {
         for (double k = 0; k < pieces; ++k)
           add_sides(part, true, i, k / pieces * path_[i].length_m, (k + 1) / pieces * path_[i].length_m);
     }
-    while (!queue_.empty() && queue_.top().at_most > best_ + kMissingRoom_m && places_ < kMostPlaces) {
+    while (!queue_.empty() && queue_.top().at_most > best_ + kMissingRoom_m && best_ < enough_m &&
+           places_ < kMostPlaces) {
       const SideOnWay widest = queue_.top();
       queue_.pop();
       halve(widest);
@@ -167,8 +168,8 @@ class MissingRoom {
 
 }  // namespace
 
-double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline) {
-  return MissingRoom(land, path, outline).greatest();
+double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline, double enough_m) {
+  return MissingRoom(land, path, outline).greatest(enough_m);
 }
 
 }  // namespace tramline
