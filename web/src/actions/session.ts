@@ -1,6 +1,7 @@
 // Which view is open, and in which theme.
 import { language, LANGUAGE_KEY, type Language } from '../words';
-import { dark, isNight, session, THEME_KEY, type Theme, type View } from '../state/session';
+import { session, type View } from '../state/session';
+import { dark, looksLike, THEME_KEY, type Theme } from '../state/theme';
 
 /** A view begins at its top. */
 export function show(view: View): void {
@@ -13,7 +14,7 @@ export function show(view: View): void {
 }
 
 export function applyTheme(): void {
-  document.documentElement.dataset['theme'] = isNight() ? 'night' : 'day';
+  document.documentElement.dataset['theme'] = looksLike(session.get().theme);
 }
 export function setTheme(theme: Theme): void {
   localStorage.setItem(THEME_KEY, theme);
