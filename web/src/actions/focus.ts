@@ -5,6 +5,9 @@ const PLACES = 'section[aria-label], section[aria-labelledby], [role=group][aria
 /** From the inside out. */
 let around: HTMLElement[] = [];
 
+/** Whoever points, or turns to another window, has left by themselves. */
+let left = true;
+
 const lost = () => document.activeElement === null || document.activeElement === document.body;
 
 function remember({ target }: FocusEvent): void {
@@ -12,21 +15,45 @@ function remember({ target }: FocusEvent): void {
   for (let at = (target as Element).closest<HTMLElement>(PLACES); at; at = at.parentElement?.closest<HTMLElement>(PLACES) ?? null) around.push(at);
 }
 
+/** What stands still over a panel that scrolls. */
+const OVER = '.notices, .plan-bar, .sticky';
+const MARGIN_PX = 8;
+/** Scrolls what has the focus out from under it; a control that is drawn by its label is where that is. */
+function uncover(focused: HTMLElement): void {
+  const target = (focused.matches('.unseen') && (focused as HTMLInputElement).labels?.[0]) || focused;
+  const panel = target.closest('.panel');
+  if (!panel || target.contains(panel.firstElementChild)) return;
+  for (const over of panel.querySelectorAll(OVER)) {
+    const [box, cover] = [target.getBoundingClientRect(), over.getBoundingClientRect()];
+    if (over.contains(target) || target.contains(over) || box.bottom <= cover.top || box.top >= cover.bottom) continue;
+    panel.scrollBy(0, over.matches('.sticky') ? box.bottom - cover.top + MARGIN_PX : box.top - cover.bottom - MARGIN_PX);
+  }
+}
+/** Something new that was asked for by a key, such as a field that was opened, has the focus where what asked for it is gone. */
+export function takeFocus(place: HTMLElement | null): void {
+  if (!left && place && (lost() || around.includes(document.activeElement as HTMLElement))) place.focus();
+}
+
 function find(): void {
   if (!lost()) return;
   const place = around.find((one) => one.isConnected && one.getClientRects().length > 0);
   if (!place) return;
   if (place.tabIndex < 0) place.tabIndex = -1;
-  place.focus({ preventScroll: true });
+  place.focus(); // scrolls it into sight
 }
 
 /** Something has the focus whenever something had it. */
 export function keepFocus(): void {
-  let left = false;
-  addEventListener('focusin', remember);
-  // Who clicks beside everything, or turns to another window, has left by themselves.
+  addEventListener('focusin', (event) => {
+    remember(event);
+    if (!left) uncover(event.target as HTMLElement);
+  });
   addEventListener('pointerdown', () => (left = true), true);
   addEventListener('keydown', () => (left = false), true);
-  // An element that is disabled loses the focus without a word, in the next frame.
-  new MutationObserver(() => !left && requestAnimationFrame(find)).observe(document.getElementById('page')!, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'hidden', 'open'] });
+  const look = () => {
+    if (left) return;
+    find();
+    requestAnimationFrame(find); // what is disabled loses the focus in the next frame only
+  };
+  new MutationObserver(look).observe(document.getElementById('page')!, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'hidden', 'open'] });
 }
