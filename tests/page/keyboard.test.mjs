@@ -5,8 +5,15 @@ import { flow } from './support/flow.mjs';
 import { mapSettled, planShown } from './support/page.mjs';
 import { ask, openId } from './support/stored.mjs';
 
-/** What has the focus: its name, whether it is marked, and whether it is in sight. */
-const focused = (page) =>
+/** What has the focus: its name, whether it is marked, and whether it is in sight, a few frames after it got it. */
+async function focused(page) {
+  for (let i = 0; ; i++) {
+    const at = await lookAtFocus(page);
+    if (at.name === null || (at.marked && at.seen) || i === 20) return at;
+    await page.waitForTimeout(50);
+  }
+}
+const lookAtFocus = (page) =>
   page.evaluate(() => {
     const element = document.activeElement;
     if (!element || element === document.body) return { name: null };

@@ -46,7 +46,9 @@ function find(): void {
 export function keepFocus(): void {
   addEventListener('focusin', (event) => {
     remember(event);
-    if (!left) uncover(event.target as HTMLElement);
+    const target = event.target as HTMLElement;
+    // The browser scrolls it into sight at the end of the frame, perhaps to below what stands still.
+    if (!left) requestAnimationFrame(() => document.activeElement === target && uncover(target));
   });
   addEventListener('pointerdown', () => (left = true), true);
   addEventListener('keydown', () => (left = false), true);
