@@ -7,10 +7,13 @@ import { dark, looksLike, THEME_KEY, type Theme } from '../state/theme';
 export function show(view: View): void {
   if (view === session.get().view) return;
   session.set({ view });
-  requestAnimationFrame(() => {
+  const toTop = () => {
     document.getElementById('panel')?.scrollTo(0, 0);
     scrollTo(0, 0);
-  });
+  };
+  // Before and after it is drawn. A frame later a quick hand may have gone on from there already.
+  toTop();
+  queueMicrotask(toTop);
 }
 
 export function applyTheme(): void {

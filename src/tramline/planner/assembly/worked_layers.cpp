@@ -82,8 +82,7 @@ void add_layers(Plan& plan, TrackGround tracks, const SearchContext& context) {
   const auto overlap = [&] {
     std::vector<Region> all = std::move(tracks.also_doubled);
     all.push_back(unite(tracks.doubled));
-    for (const Region& ground : tracks.regions)
-      all.push_back(difference(reaching_out(ground, edges), land));
+    for (const Region& ground : tracks.regions) all.push_back(difference(reaching_out(ground, edges), land));
     plan.overlap = united_regions(std::move(all));
   };
   for_each_index(2, context, [&](std::size_t i) { i == 0 ? uncovered() : overlap(); });
