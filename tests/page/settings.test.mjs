@@ -41,7 +41,7 @@ flow('what the program refuses and remarks is said in German, too', { locale: 'd
   await page.getByText(`${share.replace('.', ',')} % der Fläche, ${m2} m², bleiben unbearbeitet.`).waitFor();
   await page.getByLabel('Arbeitsbreite', { exact: true }).fill('100');
   await page.getByLabel('Arbeitsbreite', { exact: true }).press('Enter');
-  await page.getByRole('alert').filter({ hasText: /^In das Feld .* passt keine Spur mit einer Arbeitsbreite von 100 m und Stücken von mindestens/ }).waitFor();
+  await page.getByRole('alert').filter({ hasText: /^In das Feld „klein“ .* passt keine Spur mit einer Arbeitsbreite von 100 m und Stücken von mindestens/ }).waitFor();
 });
 
 flow('feet, acres and dollars', {}, async ({ page, server }) => {

@@ -1,5 +1,6 @@
 import { render } from 'preact';
 import { readAgain } from './actions/feeds';
+import { keepFocus } from './actions/focus';
 import { attempt, complain } from './actions/notices';
 import { planAtChanges } from './actions/planning';
 import { followWidth } from './actions/rates';
@@ -14,6 +15,7 @@ applyTheme();
 // A page of a machine opens at its top, whatever was read last.
 history.scrollRestoration = 'manual';
 render(<App />, document.getElementById('page')!);
+keepFocus();
 // A file that misses its place must not make the browser leave the page.
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {

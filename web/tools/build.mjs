@@ -36,6 +36,12 @@ const result = await build({
   logLevel: 'warning',
 });
 
+// What is run before the first paint needs nothing else.
+const frame = await build({
+  absWorkingDir: web, entryPoints: { frame: 'src/frame.ts' }, outdir: out, bundle: true, format: 'iife', target: ['es2022'], minify: true,
+  metafile: true, entryNames: '[name]-[hash]', legalComments: 'none', logLevel: 'warning',
+});
+
 const named = (entry) => {
   const found = Object.entries(result.metafile.outputs).find(([, output]) => output.entryPoint === entry);
   return found[0].split('/').pop();
@@ -60,11 +66,12 @@ const farm = EXAMPLES.flatMap((name) =>
 writeFileSync(join(out, 'example-farm.json'), JSON.stringify({ type: 'FeatureCollection', features: farm }));
 // Asked for together: found out one after the other they take a journey to the server each.
 const app = Object.entries(result.metafile.outputs).find(([, output]) => output.entryPoint === 'src/main.tsx')[0];
-const ahead = [...needed(app)].filter((output) => output !== app).map((output) => `<link rel="modulepreload" href="${output.split('/').pop()}">\n`).sort().join('');
+const ahead = [...needed(app)].map((output) => `<link rel="modulepreload" href="${output.split('/').pop()}">\n`).sort().join('');
 const index = readFileSync(join(web, 'public', 'index.html'), 'utf8')
+  .replace('frame.js', Object.keys(frame.metafile.outputs)[0].split('/').pop())
   .replace('app.js', named('src/main.tsx'))
   .replace('style.css', named('src/style/page.css'))
-  .replace('<script', `${ahead}<script`);
+  .replace('</head>', `${ahead}</head>`);
 writeFileSync(join(out, 'index.html'), index);
 
 if (values.table) writeTable(out, resolve(values.table));

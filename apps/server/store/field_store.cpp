@@ -42,10 +42,12 @@ KeptFieldPtr FieldStore::read(const std::string& id) const {
                 words_in(remark(stored.remarks, "tags")),
                 remark(stored.remarks, "reshaped")};
   if (out.name.empty()) out.name = out.field.id;
+  out.field.id = out.name;
   return std::make_shared<const KeptField>(std::move(out));
 }
 
-KeptFieldPtr FieldStore::write(const KeptField& kept) {
+KeptFieldPtr FieldStore::write(KeptField kept) {
+  kept.field.id = kept.name;
   io::write_field(kept.field, folder_.file(kFields, kept.id),
                   {{"name", kept.name},
                    {"created", kept.created},
@@ -86,7 +88,7 @@ KeptFieldPtr FieldStore::change(const std::string& id, const std::function<void(
   const std::lock_guard one_at_a_time(changing_);
   KeptField changed = *get(id);
   how(changed);
-  return write(changed);
+  return write(std::move(changed));
 }
 
 void FieldStore::remove(const std::string& id) {

@@ -17,7 +17,7 @@ struct KeptField {
   std::string id;
   std::string name;     ///< for people
   std::string created;  ///< "2026-03-14T08:15:00Z"
-  Field field;
+  Field field;          ///< its id is the name: what the program says of it, and its plans, call it so
   std::vector<Skipped> skipped;  ///< of its file
   std::string crop{};
   std::vector<std::string> tags{};  ///< words of the user's own, to find fields by
@@ -47,7 +47,7 @@ class FieldStore {
   void remove(const std::string& id);
 
  private:
-  KeptFieldPtr write(const KeptField& kept);
+  KeptFieldPtr write(KeptField kept);
   KeptFieldPtr read(const std::string& id) const;
 
   const StoreFolder& folder_;

@@ -33,7 +33,8 @@ const send = async (server, path, body, type = 'application/json') => {
 /** Stores a field of a GeoJSON feature, without the page; its id. */
 export async function storeField(server, feature) {
   const upload = await send(server, '/uploads?name=field.geojson', JSON.stringify({ type: 'FeatureCollection', features: [feature] }), 'application/geo+json');
-  return (await send(server, '/fields', { upload: upload.id })).id;
+  // By the name that the page gives it.
+  return (await send(server, '/fields', { upload: upload.id, name: feature.properties.name })).id;
 }
 
 /** Plans the whole job on a stored field, without the page, and searches for so many seconds at the most; its id. */

@@ -161,6 +161,33 @@ TEST_F(ServerTest, AFieldInPlainMetresIsShownAboutNowhere) {
   EXPECT_TRUE(found);
 }
 
+/// What a job of this kind says when it is refused: no swath of 300 m fits into a square of 200 m.
+std::string refusal_of(const Served& served, const char* kind, const std::string& field) {
+  const ordered_json job =
+      served.job_of(served.post("/jobs", {{"kind", kind},
+                                          {"field", field},
+                                          {"machine", {{"width_m", 300}, {"radius_m", 6}}},
+                                          {"settings", {{"end_rule", "inside"}, {"route", false}}}}));
+  EXPECT_EQ(job.value("state", ""), "failed") << job.dump();
+  return job["error"].value("message", "");
+}
+
+TEST_F(ServerTest, RefusalsCallAFieldByItsStoredName) {
+  const ordered_json feature{{"type", "Feature"}, {"properties", nullptr}, {"geometry", square()}};
+  const Got sent = served.upload("field.geojson", feature.dump());
+  const std::string id =
+      served.post("/fields", {{"upload", sent.json["id"]}, {"fid", 0}, {"name", "Hofwiese"}}).json["id"];
+  for (const char* kind : {"plan", "compare"}) {
+    const std::string said = refusal_of(served, kind, id);
+    EXPECT_NE(said.find("field 'Hofwiese'"), std::string::npos) << kind << ": " << said;
+    EXPECT_EQ(said.find("field:0"), std::string::npos) << kind << ": " << said;
+  }
+  ASSERT_EQ(served.patch("/fields/" + id, {{"name", "Müllers Acker"}}).status, 200);
+  EXPECT_NE(refusal_of(served, "plan", id).find("field 'Müllers Acker'"), std::string::npos);
+  const std::string plan = served.planned(id);
+  EXPECT_EQ(served.get("/plans/" + plan).json["summary"]["field_id"], "Müllers Acker");
+}
+
 Polygon box(double x, double y, double size) {
   return {{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}, {}};
 }

@@ -19,18 +19,37 @@ interface Begin {
 
 const NOTHING = { chosen: null, past: [], future: [], pointed: false };
 
+/** What had the focus when drawing began. */
+let opener: Element | null = null;
+function giveMapTheKeyboard(): void {
+  if (drawing.get().purpose === null) opener = document.activeElement;
+  document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
+}
+/** Back to what drawing began from, unless the user has gone on to something else. */
+function takeKeyboardBack(): void {
+  const there = document.activeElement;
+  if (there !== document.body && !there?.closest('.map')) return;
+  if (opener instanceof HTMLElement && opener.isConnected) opener.focus({ preventScroll: true });
+}
+
 /** Begins to draw, and gives the map the keyboard; `done` is what becomes of the shape. */
 export function drawFor(purpose: Purpose, done: Done, { places = [], changed = () => {}, cancelled = () => {} }: Begin = {}): void {
   whenDone = done;
   whenChanged = changed;
   whenCancelled = cancelled;
+  giveMapTheKeyboard();
   drawing.set({ ...NOTHING, purpose, places });
-  document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
 }
 
 /** An edge of the field is picked instead of drawing a line. */
-export const pickEdge = () => drawing.set({ ...NOTHING, purpose: 'edge', places: [] });
-export const stop = () => drawing.set({ ...NOTHING, purpose: null, places: [] });
+export function pickEdge(): void {
+  giveMapTheKeyboard();
+  drawing.set({ ...NOTHING, purpose: 'edge', places: [] });
+}
+export function stop(): void {
+  takeKeyboardBack();
+  drawing.set({ ...NOTHING, purpose: null, places: [] });
+}
 /** Stops, and takes back what changes have done already. */
 export function cancel(): void {
   const { purpose } = drawing.get();

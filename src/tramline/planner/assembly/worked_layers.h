@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -17,7 +18,8 @@ struct TrackGround {
 
 /// Sets the layers Plan::overlap and Plan::uncovered of tracks and headland passes together. They show the
 /// areas of the tally, without slivers between the chords of swaths that share an arc. Precondition: `plan`
-/// is complete except for tally, cost and warnings.
-void add_layers(Plan& plan, TrackGround tracks);
+/// is complete except for tally, cost and warnings. The layers are the same for any number of threads.
+/// Headland passes and pieces are read, and may be read elsewhere at the same time.
+void add_layers(Plan& plan, TrackGround tracks, const SearchContext& context);
 
 }  // namespace tramline

@@ -1,5 +1,7 @@
+import { useEffect, useRef } from 'preact/hooks';
 import { drawFor } from '../../actions/drawing';
 import { changeField } from '../../actions/fields';
+import { takeFocus } from '../../actions/focus';
 import { attempt } from '../../actions/notices';
 import { show } from '../../actions/session';
 import type { FieldFull, Geometry, Place } from '../../api/types';
@@ -15,8 +17,10 @@ import { told } from '../../program_words';
 import { t } from '../../words';
 
 export function OpenField({ field }: { field: FieldFull }) {
+  const region = useRef<HTMLElement>(null);
+  useEffect(() => takeFocus(region.current), [field.id]);
   return (
-    <section class="open" aria-label={t`Open field: ${field.name}`}>
+    <section ref={region} class="open" tabIndex={-1} aria-label={t`Open field: ${field.name}`}>
       <TitleField key={field.id} label={t`Name of the field`} value={field.name} save={(name) => void attempt(() => changeField({ name }))} />
       <p>
         <strong>{hectares(field.area_m2)}</strong>

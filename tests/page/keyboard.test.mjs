@@ -1,0 +1,148 @@
+// From an empty store to a file for a terminal with the keyboard alone: no pointer, and nothing is focused by the test. At every step something has
+// the focus, in sight and marked.
+import assert from 'node:assert/strict';
+import { flow } from './support/flow.mjs';
+import { mapSettled, planShown } from './support/page.mjs';
+import { ask, openId } from './support/stored.mjs';
+
+/** What has the focus: its name, whether it is marked, and whether it is in sight, a few frames after it got it. */
+async function focused(page) {
+  for (let i = 0; ; i++) {
+    const at = await lookAtFocus(page);
+    if (at.name === null || (at.marked && at.seen) || i === 20) return at;
+    await page.waitForTimeout(50);
+  }
+}
+const lookAtFocus = (page) =>
+  page.evaluate(() => {
+    const element = document.activeElement;
+    if (!element || element === document.body) return { name: null };
+    const label = element.labels?.[0];
+    const name = (element.getAttribute('aria-label') ?? label?.textContent ?? element.textContent ?? '').trim();
+    // Controls that are drawn by what stands beside them are marked there.
+    const marks = [element, element.nextElementSibling, label, label?.querySelector('span')].filter(Boolean);
+    const marked = marks.some((one) => {
+      const { outlineStyle, outlineWidth } = getComputedStyle(one);
+      return outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2;
+    });
+    const seen = marks.some((one) => {
+      const box = one.getBoundingClientRect();
+      const [left, right] = [Math.max(box.left, 0), Math.min(box.right, innerWidth)];
+      const [top, bottom] = [Math.max(box.top, 0), Math.min(box.bottom, innerHeight)];
+      if (right - left < 4 || bottom - top < 4) return false;
+      const over = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return marks.some((mark) => mark === over || mark.contains(over) || over?.contains(mark));
+    });
+    return { name, tag: element.tagName, marked, seen };
+  });
+
+/** Nothing is lost after a step, also not a little later. */
+async function kept(page, after) {
+  for (let i = 0; i < 3; i++) {
+    const at = await focused(page);
+    assert.notEqual(at.name, null, `the focus is lost after ${after}`);
+    assert.ok(at.marked && at.seen, `after ${after} the focus cannot be seen: ${JSON.stringify(at)}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** Presses Tab, or goes back with it, until the control with this name has the focus; whatever has it on the way is marked and in sight. */
+async function tabTo(page, wanted, key = 'Tab') {
+  let left = 0;
+  for (let i = 0; i < 150; i++) {
+    await page.keyboard.press(key);
+    const at = await focused(page);
+    if (at.name === null) {
+      assert.ok(++left <= 1, `the focus is lost on the way to ${wanted}`);
+      continue; // from the last control to the first the browser itself comes between
+    }
+    assert.ok(at.marked && at.seen, `on the way to ${wanted} the focus cannot be seen: ${JSON.stringify(at)}`);
+    if (wanted.test(at.name)) return;
+  }
+  assert.fail(`${key} never comes to ${wanted}`);
+}
+
+async function enter(page, name) {
+  await tabTo(page, name);
+  await page.keyboard.press('Enter');
+  await page.waitForTimeout(50);
+}
+
+/** From the form of a plan to its file for a display. */
+async function planAndTake(page, server, machineFile) {
+  await enter(page, /^Make the plan$/);
+  await kept(page, 'Make the plan');
+  await planShown(page);
+  await page.waitForFunction(() => document.activeElement?.id === 'numbers');
+  assert.match(await page.locator('p[role=status].unseen').innerText(), /^The plan is made: €[\d.,]+, /, 'it is read out');
+  await kept(page, 'the plan is made');
+  await tabTo(page, /^Which display\?$/);
+  await page.keyboard.type(machineFile.typed);
+  await kept(page, 'choosing the display');
+  await tabTo(page, machineFile.button);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  assert.match(file.suggestedFilename(), machineFile.name);
+  await page.getByRole('status').filter({ hasText: 'is in your downloads' }).waitFor();
+  await kept(page, 'taking the file');
+  assert.equal((await ask(server, `/plans/${openId(page, 'plan')}`)).draft, false);
+}
+
+flow('the example farm, planned and taken to a terminal, by keyboard alone', {}, async ({ page, server }) => {
+  await enter(page, /^Open the example farm$/);
+  await page.getByRole('region', { name: 'Open field: Riverside' }).waitFor();
+  await kept(page, 'Open the example farm');
+  await enter(page, /^Roadside/);
+  await page.getByRole('region', { name: 'Open field: Roadside' }).waitFor();
+  await kept(page, 'opening a field');
+  await tabTo(page, /^Plan this field$/, 'Shift+Tab');
+  await page.keyboard.press('Enter');
+  await kept(page, 'Plan this field');
+  await planAndTake(page, server, { typed: 'CCI', button: /^Task set, ISOXML 4$/, name: /\.zip$/ });
+});
+
+flow('a field drawn, an area forbidden and a file taken, by keyboard alone', {}, async ({ page, server }) => {
+  await enter(page, /^Draw a field$/);
+  assert.equal((await focused(page)).tag, 'CANVAS', 'the map has the keyboard');
+  await kept(page, 'Draw a field');
+  // Enter sets a corner in the middle of the map, arrows move it: twice 100 px each way.
+  const corners = async (steps) => {
+    await page.keyboard.press('Enter');
+    for (const key of steps) {
+      for (let i = 0; i < 2; i++) {
+        await page.keyboard.press(key);
+        await mapSettled(page);
+      }
+      await page.keyboard.press('Enter');
+    }
+  };
+  await corners(['ArrowRight', 'ArrowUp', 'ArrowLeft']);
+  await page.locator('.drawing-bar [role=status]').filter({ hasText: '4 points set' }).waitFor();
+  await enter(page, /^Store the field$/);
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+  await kept(page, 'Store the field');
+  await enter(page, /^Plan this field$/);
+  await kept(page, 'Plan this field');
+  await planAndTake(page, server, { typed: 'QG', button: /^Mission, \.plan$/, name: /\.plan$/ });
+
+  await tabTo(page, /^Forbid an area$/, 'Shift+Tab');
+  await page.keyboard.press('Enter');
+  assert.equal((await focused(page)).tag, 'CANVAS');
+  await page.keyboard.press('Escape');
+  assert.equal((await focused(page)).name, 'Forbid an area', 'Escape goes back to what drawing began from');
+});
+
+flow('a field by numbers, by keyboard alone', {}, async ({ page, server }) => {
+  await enter(page, /^Draw a field$/);
+  await tabTo(page, /^Or latitude and longitude in degrees/);
+  for (const text of ['52.69 9.15', '200 0', '0 100', '-200 0']) {
+    await page.keyboard.type(text);
+    await page.keyboard.press('Enter');
+    await kept(page, `typing ${text}`);
+  }
+  await enter(page, /^Store the field$/);
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+  await kept(page, 'Store the field');
+  // 200 m by 100 m.
+  const [{ area_m2 }] = await ask(server, '/fields');
+  assert.ok(Math.abs(area_m2 - 20_000) < 20, `${area_m2} m²`);
+});
