@@ -164,11 +164,11 @@ BEST = $(LIMIT) $(RELEASE)/tests/properties/test_best_search
 long-best-bound: build ## on 10,000 random fields, no grid of 1,000 costs less than the bound
 	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoGridCostsLess*'
 long-bound-ways: build ## on 10,000 random fields with obstacles, no ways past them cost less than the bound of their box
-	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoWaysPastObstacles*'
+	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoWaysPastObstacles*:*NoSidesOfOneObstacle*'
 long-bound-divisions: build ## on 10,000 random fields, no division costs less than the bounds of any plan, with prices
 	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoDivisionCostsLess*'
 long-best-brute: build ## 200 random fields against brute force, and against the sweep
-	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*:*NoWaysPastObstacles*:*NoDivisionCostsLess*'
+	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*:*NoWaysPastObstacles*:*NoSidesOfOneObstacle*:*NoDivisionCostsLess*'
 long-best-real: build ## the best search against the sweep over the real fields, default prices
 	$(LIMIT) $(RELEASE)/tests/real/best_real
 long-best-real-1: build ## the same, Versleijen's scenario 1

@@ -83,8 +83,9 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
       EXPECT_GE(costs.back(), found.bound - 1e-6 * std::abs(found.bound));
     }
     if (hindered) {
-      const double proven =
-          bound_of_grids(task, task.ground.plannable.front(), effort, SearchContext(1), costs.front()).bound;
+      const double proven = bound_of_grids(task, task.ground.plannable.front(), effort, SearchContext(1),
+                                           {costs.front(), best.direction, best.origin_m})
+                                .bound;
       for (const double cost : costs) EXPECT_GE(cost, proven - 1e-6 * std::abs(proven));
     }
     const GridTerms terms{width_m, min_length_m(task.machine),
@@ -148,6 +149,84 @@ TEST(BestSearchProperties, NoWaysPastObstaclesCostLessThanTheBoundOfTheBox) {
   });
   EXPECT_GT(compared, 0);
   EXPECT_GT(charged, compared / 60);
+}
+
+/// A field with room on all sides of one obstacle: a rectangle, a star or what passes as a circle.
+Field field_round_one_obstacle(std::mt19937_64& random, double width_m) {
+  Field field;
+  field.id = "one obstacle";
+  const double size_m = width_m * std::exp(between(random, -1, 1.8)), room_m = 1.5 * size_m + 9 * width_m;
+  field.outer = testing::random_star(random, {0, 0}, 1.1 * room_m, 1.6 * room_m, 12);
+  const Point centre{between(random, -0.4, 0.4) * room_m, between(random, -0.4, 0.4) * room_m};
+  Ring shape;
+  switch (random() % 3) {
+    case 0: {
+      const double angle = between(random, 0, std::numbers::pi), slim = between(random, 0.05, 1);
+      const Point along{size_m * std::cos(angle), size_m * std::sin(angle)};
+      const Point across{-slim * along.y, slim * along.x};
+      shape = {centre - along - across, centre + along - across, centre + along + across,
+               centre - along + across};
+      break;
+    }
+    case 1:
+      shape = testing::random_star(random, centre, 0.4 * size_m, size_m, 3 + static_cast<int>(random() % 9));
+      break;
+    default:
+      for (int i = 0; i < 16; ++i)
+        shape.push_back(
+            centre + size_m * Point{std::cos(std::numbers::pi * i / 8), std::sin(std::numbers::pi * i / 8)});
+  }
+  field.obstacles.push_back({{shape, {}}, ObstacleKind::kObstacle, "obstacle"});
+  return field;
+}
+
+// The strips that one obstacle stands in are charged together, with the land between it and the innermost
+// detours: no choice of cuts and sides costs less, and where detours are the only way the charge comes near.
+TEST(BestSearchProperties, NoSidesOfOneObstacleCostLessThanTheBoundOfTheBox) {
+  int compared = 0, near = 0;
+  testing::for_each_seed(60, [&](std::mt19937_64& random, int) {
+    const double width_m = between(random, 2, 9);
+    const Field field = field_round_one_obstacle(random, width_m);
+    const Objective objective{between(random, 0, 0.1), between(random, 0, 0.5), between(random, 0, 2),
+                              between(random, 0, 40)};
+    testing::Prepared whole = prepared(field, width_m, objective);
+    whole.problem.settings.end_rule = static_cast<EndRule>(random() % 4);
+    whole.problem.machine.radius_m = between(random, 0.3, 2.5) * width_m;
+    const SearchTask task = whole.task();
+    if (task.ground.plannable.size() != 1 || task.ground.hazards.size() != 1) return;
+    const Polygon& part = task.ground.plannable.front();
+    const GridPricing proof(task, part, SearchContext(1), NearObstacles::kCharged);
+    for (int i = 0; i < 6; ++i) {
+      const double half_degrees = std::pow(10, between(random, -6, -1));
+      const double half_m = width_m * std::pow(10, between(random, -6, -1));
+      const PositionBox box{{between(random, 0, std::numbers::pi), between(random, 0, width_m)},
+                            half_degrees * std::numbers::pi / 180,
+                            half_m};
+      const double least =
+          proof.least(proof.tally(box.middle.angle), box, std::numeric_limits<double>::infinity());
+      for (int k = 0; k < 4; ++k) {
+        const GridPosition at{box.middle.angle + box.half_angle * between(random, -1, 1),
+                              box.middle.offset_m + half_m * between(random, -1, 1)};
+        const TrackFrame frame = GridPricing::frame(at.angle);
+        const double origin_m = frame.to_track(proof.bound().pivot).x + at.offset_m;
+        // Other sides than the cheapest, with the ends of the same rule: as if stops, or land, cost little.
+        const double land = std::pow(10, between(random, -2, 2));
+        const Objective other{objective.overlap * land, objective.uncovered * land,
+                              objective.turn * between(random, 0, 3),
+                              objective.stop * std::pow(10, between(random, -2, 2))};
+        const SearchTask chooser(whole.problem, whole.field, k == 0 ? objective : other);
+        const Candidate laid = candidate_on(chooser, {{{part, frame.direction()}, origin_m}});
+        const double given_up = objective.uncovered * std::max(0.0, task.body_m2 - area(part));
+        const double alone =
+            cost(objective, laid.avoided.tally) - given_up + (laid.works() ? objective.turn : 0);
+        EXPECT_GE(alone, least - 1e-6 * (1 + std::abs(least)))
+            << "at " << at.angle << " " << at.offset_m << " within " << box.half_angle << " " << half_m;
+        ++compared;
+        near += alone - least < 0.05 * alone ? 1 : 0;
+      }
+    }
+  });
+  EXPECT_GT(near, compared / 50);
 }
 
 /// The direction of a polygon's longest edge.

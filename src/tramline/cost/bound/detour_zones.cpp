@@ -8,8 +8,6 @@
 namespace tramline {
 namespace {
 
-/// What counts as a circle reaches so far beyond its corners, as a share of its diameter.
-constexpr double kRound_share = 0.02;
 /// Rounding, tips of obstacles and the slack that detours are granted, m.
 constexpr double kSlack_m = 0.03;
 
@@ -50,10 +48,13 @@ class Zones {
   DetourZone zone_of(const Box& obstacles, int count) const {
     const double width_m = terms_.width_m, size_m = std::hypot(obstacles.width(), obstacles.height());
     const double turn = std::tan(terms_.half_angle);
-    double across = width_m + kRound_share * size_m + kSlack_m;
-    double along =
-        width_m + 2 * terms_.arc_m + kDetourFoot * (obstacles.width() + turn * size_m + across) + kSlack_m;
-    if (terms_.of == DetoursOf::kAnyGrid) along += kDetourFoot * size_m;
+    double across = width_m + kDetourRound_share * size_m + kSlack_m;
+    // The swath of an arc that leaves the track begins where the arc does; a line leads to it only where the
+    // track is displaced by more than two arcs are.
+    double along = 2 * terms_.arc_m + kDetourRound_share * size_m + kSlack_m;
+    const double widest_m = terms_.of == DetoursOf::kAnyGrid ? size_m : obstacles.width() + turn * size_m;
+    if (const double aside_m = widest_m + across; aside_m + kSlack_m > 2 * terms_.arc_m)
+      along += kDetourFoot * aside_m;
     const double turned = turn * (size_m + across + along);
     across += turned;
     along += turned;

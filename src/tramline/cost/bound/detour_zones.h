@@ -13,6 +13,8 @@ enum class DetoursOf : std::uint8_t { kThisGrid, kAnyGrid };
 
 /// More than the cotangent of the steepest line of a detour, 75 degrees.
 inline constexpr double kDetourFoot = 0.27;
+/// What counts as a circle reaches so far beyond its corners, as a share of its diameter.
+inline constexpr double kDetourRound_share = 0.02;
 
 /// The terms of detours and of the grids that have them.
 struct DetourTerms {

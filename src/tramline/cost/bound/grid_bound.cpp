@@ -58,9 +58,9 @@ class Bound {
                     subfield_.ground.passable.empty() && subfield_.ground.beyond.empty() &&
                     subfield_.ground.field.empty();
     if (charges_near_)
-      passages_.emplace(
-          subfield_, near_,
-          PassageTerms{objective_, width_, shift_, shear_, tangent_, detour_reach_, terms.at_obstacle});
+      passages_.emplace(subfield_, near_,
+                        PassageTerms{objective_, width_, shift_, shear_, tangent_, moving_, detour_reach_,
+                                     terms.at_obstacle, terms.drivable});
   }
 
   double least_cost(double enough) {
@@ -77,8 +77,9 @@ class Bound {
     const double least = std::max(sums_.apart, together.least(moving_.shift, moving_.turn));
     if (!charges_near_) return sums_.fixed + least;
     together += near_sums_.together;
+    const double past = passages_->cost_together();
     const double pooled =
-        std::max(sums_.apart + near_sums_.apart, together.least(moving_.shift, moving_.turn));
+        past + std::max(sums_.apart + near_sums_.apart, together.least(moving_.shift, moving_.turn));
     return sums_.fixed + std::max(least, pooled);
   }
 

@@ -36,6 +36,7 @@ struct BoundTerms {
   /// Whether an obstacle lies beyond each edge of the part, the edges counted as those of
   /// TurnedSubfield::outline (edges_at_obstacles()). None where this is empty.
   std::vector<bool> at_obstacle{};
+  bool drivable = true;  ///< whether nothing of a detour is tighter than those arcs
 };
 
 /// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every

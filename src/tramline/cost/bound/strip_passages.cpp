@@ -5,8 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/cost/bound/detour_length.h"
 #include "tramline/cost/bound/joined_intervals.h"
-#include "tramline/cost/bound/vacated_land.h"
+#include "tramline/cost/bound/swath_edge.h"
 #include "tramline/cost/tolerances.h"
 
 namespace tramline {
@@ -54,6 +55,48 @@ std::vector<Point> corners_in(const Ring& ring, const Interval& rows) {
   return out;
 }
 
+/// Whether a ring has no bays along the tracks: what a strip holds of its inside is connected then, and is in
+/// the way of the strip's track in one gap.
+bool has_no_bays(const Ring& ring) {
+  int turns = 0, sense = 0, first = 0;
+  Point a = ring.back();
+  for (const Point b : ring) {
+    const double dx = b.x - a.x;
+    a = b;
+    if (dx == 0) continue;
+    const int now = dx > 0 ? 1 : -1;
+    if (sense == 0) first = now;
+    turns += sense != 0 && now != sense ? 1 : 0;
+    sense = now;
+  }
+  return turns + (sense != first ? 1 : 0) <= 2;
+}
+
+/// The ends of what a ring has of its edges within a box.
+std::vector<Point> ends_within(const Ring& ring, const Box& box) {
+  std::vector<Point> out;
+  Point a = ring.back();
+  for (const Point b : ring) {
+    const Point from = a;
+    a = b;
+    double first = 0, last = 1;  // shares of the edge
+    const auto clip = [&](double start, double end, double low, double high) {
+      if (start == end) {
+        if (start < low || start > high) last = -1;
+        return;
+      }
+      const double at_low = (low - start) / (end - start), at_high = (high - start) / (end - start);
+      first = std::max(first, std::min(at_low, at_high));
+      last = std::min(last, std::max(at_low, at_high));
+    };
+    clip(from.x, b.x, box.min_x, box.max_x);
+    clip(from.y, b.y, box.min_y, box.max_y);
+    if (first > last) continue;
+    for (const double share : {first, last}) out.push_back(from + share * (b - from));
+  }
+  return out;
+}
+
 /// The least length of track over which a path comes back to it, from `aside_m` beside it and along an arc.
 double least_way_back(double aside_m, double arc_m) {
   return aside_m < arc_m ? std::sqrt(aside_m * (2 * arc_m - aside_m)) : arc_m;
@@ -72,15 +115,19 @@ void StripPassages::Way::meet(const Way& other) {
 
 StripPassages::StripPassages(const TurnedSubfield& subfield, const std::vector<DetourZone>& zones,
                              const PassageTerms& terms)
-    : zones_(zones), terms_(terms) {
+    : zones_(zones), terms_(terms), reach_(subfield.reach) {
   const Box near = subfield.reach.grown(terms.width_m + terms.shift_m);
   for (const Polygon& obstacle : subfield.ground.hard) {
     const Box box = bounds(obstacle);
-    if (intersects(box, near)) obstacles_.push_back({&obstacle.outer, box});
+    if (!intersects(box, near)) continue;
+    obstacles_.push_back({&obstacle.outer, box});
+    const DetourZone* zone = zone_of(obstacles_.back());
+    if (zone && zone->count == 1) obstacles_.back().alone = zone;
+    obstacles_.back().together = has_no_bays(obstacle.outer);
   }
 }
 
-std::optional<StripPassages::ObstacleRows> StripPassages::rows_of(const Obstacle& obstacle) const {
+std::optional<StripPassages::ObstacleRows> StripPassages::rows_of(Obstacle& obstacle) const {
   const double touch = terms_.shift_m + kWidthTolerance, inner = terms_.shift_m + 2 * kNoPiece_m;
   if (obstacle.box.min_x > right_ + touch || obstacle.box.max_x < left_ - touch) return std::nullopt;
   Interval rows = extent_along(*obstacle.ring, left_ - touch, right_ + touch);
@@ -97,7 +144,7 @@ Intervals StripPassages::enter(const StripGrid& grid, int strip) {
   centre_ = grid.centre(strip);
   rows_.clear();
   Intervals all;
-  for (const Obstacle& obstacle : obstacles_) {
+  for (Obstacle& obstacle : obstacles_) {
     const std::optional<ObstacleRows> rows = rows_of(obstacle);
     if (!rows) continue;
     rows_.push_back(*rows);
@@ -107,7 +154,7 @@ Intervals StripPassages::enter(const StripGrid& grid, int strip) {
 }
 
 double StripPassages::cost(const Intervals& driven, const Intervals& zones, const Intervals& pooled,
-                           const std::vector<BoundaryWindow>& windows) const {
+                           const std::vector<BoundaryWindow>& windows) {
   const Objective& price = terms_.objective;
   const Interval land = land_in(windows);
   thread_local std::vector<Passage> passages;
@@ -115,38 +162,146 @@ double StripPassages::cost(const Intervals& driven, const Intervals& zones, cons
   for (std::size_t i = 0; i + 1 < driven.size(); ++i) {
     const Interval between{driven[i].to, driven[i + 1].from};
     // Beyond a zone the pieces may be told apart by the land between them, and then pay their turns anyway.
-    if (!blocks_within(between.from, between.to) || !without({between}, zones).empty()) continue;
-    const bool stops = only_obstacles_in(between.from, between.to, windows);
+    if (!without({between}, zones).empty()) continue;
     Passage passage;
-    passage.cut = price.turn + (stops ? 2 * price.stop : 0);
-    for (const Interval& one : common({between}, pooled)) passage.rows_m += one.length();
     const Interval piece{driven[i].from, driven[i + 1].to};
     int met = 0;
-    for (const ObstacleRows& rows : rows_) {
+    for (ObstacleRows& rows : rows_) {
       if (rows.rows.from < between.from || rows.rows.to > between.to) continue;
       ++met;
-      if (!rows.blocks) continue;
-      const WaysRound ways = ways_round(*rows.obstacle, piece, land);
+      passage.alone = &rows;
+      passage.blocked = passage.blocked || rows.blocks;
+      if (!rows.blocks && !rows.obstacle->alone) continue;
+      WaysRound ways = ways_round(*rows.obstacle, piece, land);
       passage.ways.left.meet(ways.left);
       passage.ways.right.meet(ways.right);
-      passage.alone = &rows;
+      passage.ways.passed = std::move(ways.passed);
+      passage.ways.in_strip = ways.in_strip;
     }
-    if (met != 1 || !is_alone(*passage.alone)) passage.alone = nullptr;
-    passages.push_back(passage);
+    if (met == 0) continue;
+    if (met != 1 || !passage.alone->obstacle->alone) passage.alone = nullptr;
+    if (!passage.alone && !passage.blocked) continue;
+    const bool stops = only_obstacles_in(between.from, between.to, windows);
+    passage.cut = price.turn + (stops ? 2 * price.stop : 0);
+    for (const Interval& one : common({between}, pooled)) passage.rows_m += one.length();
+    passages.push_back(std::move(passage));
   }
+  // A detour round what stands alone in its zone passes nothing else.
+  const auto others = std::count_if(passages.begin(), passages.end(),
+                                    [](const Passage& one) { return !one.alone && one.blocked; });
   double sum = 0;
   for (const Passage& passage : passages) {
-    double least = passage.cut;
-    for (const Way* way : {&passage.ways.left, &passage.ways.right}) {
-      if (!way->fits) continue;
-      const double longer_m = way->longer_m / static_cast<double>(passages.size());
-      double round = price.overlap * terms_.width_m * (passage.rows_m + longer_m);
-      if (round < least && passage.alone) round += (price.overlap + price.uncovered) * vacated(*way, windows);
-      least = std::min(least, round);
+    if (passage.alone) {
+      passage.alone->is_known = true;
+      keep(passage, windows);
+      continue;
     }
+    double least = passage.cut;
+    for (const Way* way : {&passage.ways.left, &passage.ways.right})
+      if (way->fits)
+        least = std::min(least, price.overlap * terms_.width_m *
+                                    (passage.rows_m + way->longer_m / static_cast<double>(others)));
     sum += least;
   }
+  for (const ObstacleRows& rows : rows_)
+    if (!rows.is_known) rows.obstacle->together = false;
   return sum;
+}
+
+/// Keeps what the current strip's ways past an obstacle cost for cost_together().
+void StripPassages::keep(const Passage& passage, const std::vector<BoundaryWindow>& windows) const {
+  Obstacle& obstacle = *passage.alone->obstacle;
+  StripAtObstacle strip;
+  strip.left = left_;
+  strip.blocked = passage.alone->blocks;
+  strip.cut = passage.cut;
+  const Way* ways[] = {&passage.ways.left, &passage.ways.right};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Way& way = *ways[side];
+    if (!way.fits) continue;
+    strip.ways[side].cost = terms_.objective.overlap * terms_.width_m * (passage.rows_m + way.longer_m);
+    if (way.is_farthest && way.aside_m > 0 && terms_.drivable)
+      strip.ways[side].place = {way.past.y, way.aside_m, terms_.detour_reach_m, terms_.width_m, way.slack_m};
+  }
+  for (std::size_t side = 0; side < 2; ++side) strip.ways[side].passed = passage.ways.passed[side];
+  strip.in_the_way = passage.ways.in_strip;
+  strip.clear = clear_rows(obstacle, windows);
+  obstacle.strips.push_back(std::move(strip));
+}
+
+double StripPassages::cost_together() const {
+  double sum = 0;
+  for (const Obstacle& obstacle : obstacles_)
+    if (!obstacle.strips.empty()) sum += cost_past(obstacle);
+  return sum;
+}
+
+/// Of all strips that have been kept.
+double StripPassages::cost_past(const Obstacle& obstacle) const {
+  const std::vector<StripAtObstacle>& strips = obstacle.strips;
+  const Box& box = obstacle.box;
+  const double touch = terms_.shift_m + 2 * kWidthTolerance;
+  const double left = strips.front().left, right = strips.back().left + terms_.width_m;
+  // Strips beyond have no land, or the obstacle does not reach so far.
+  const bool whole =
+      (left < obstacle.box.min_x - touch || left < reach_.min_x - touch) &&
+      (right > obstacle.box.max_x + touch || right > reach_.max_x + touch) &&
+      std::abs(right - left - static_cast<double>(strips.size()) * terms_.width_m) < 0.5 * terms_.width_m;
+  // Where the obstacle may lie that far elsewhere, next to no land is left for certain.
+  constexpr double kMostShift_share = 0.25;  // of the width
+  const double shift = shift_at(obstacle);
+  const bool together = obstacle.together && whole && shift < kMostShift_share * terms_.width_m &&
+                        std::none_of(zones_.begin(), zones_.end(), [&](const DetourZone& one) {
+                          return &one != obstacle.alone && comes_near(obstacle, one);
+                        });
+  if (!together) {
+    double sum = 0;
+    for (const StripAtObstacle& strip : strips)
+      if (strip.blocked) sum += std::min({strip.cut, strip.ways[0].cost, strip.ways[1].cost});
+    return sum;
+  }
+  const double far_m = terms_.detour_reach_m + 0.5 * terms_.width_m + turned_m(obstacle.box);
+  const Interval rows{std::max(box.min_y - far_m, obstacle.alone->land.min_y),
+                      std::min(box.max_y + far_m, obstacle.alone->land.max_y)};
+  return least_cost_past(
+      {*obstacle.ring, terms_.width_m, terms_.detour_reach_m, shift + kNoPiece_m,
+       turned_m(obstacle.box) + kNoPiece_m, rows, terms_.objective.overlap + terms_.objective.uncovered},
+      strips);
+}
+
+/// Whether detours round other obstacles may work land of the strips that this one reaches into.
+bool StripPassages::comes_near(const Obstacle& obstacle, const DetourZone& other) const {
+  const double margin = terms_.shift_m + kWidthTolerance;
+  const Box strips{obstacle.strips.front().left - margin, obstacle.alone->land.min_y - terms_.shear_m,
+                   obstacle.strips.back().left + terms_.width_m + margin,
+                   obstacle.alone->land.max_y + terms_.shear_m};
+  return intersects(other.land.grown(terms_.shift_m + terms_.shear_m), strips);
+}
+
+/// The rows about an obstacle in which no other boundary is in the current strip.
+Interval StripPassages::clear_rows(const Obstacle& obstacle,
+                                   const std::vector<BoundaryWindow>& windows) const {
+  const double middle = obstacle.box.centre().y, margin = turned_m(obstacle.box) + kNoPiece_m;
+  Interval out{obstacle.alone->land.min_y, obstacle.alone->land.max_y};
+  for (const BoundaryWindow& window : windows)
+    for (const BoundaryPart& part : window.parts) {
+      if (!terms_.at_obstacle.empty() && terms_.at_obstacle[part.edge]) continue;
+      if (part.lowest() < middle) out.from = std::max(out.from, part.highest() + margin);
+      if (part.highest() > middle) out.to = std::min(out.to, part.lowest() - margin);
+    }
+  return out;
+}
+
+/// By how much the obstacle may lie elsewhere across.
+double StripPassages::shift_at(const Obstacle& obstacle) const {
+  return std::min(terms_.shift_m, most_shift(obstacle.box.min_y, obstacle.box.max_y, terms_.moving));
+}
+
+const DetourZone* StripPassages::zone_of(const Obstacle& obstacle) const {
+  const auto found = std::find_if(zones_.begin(), zones_.end(), [&](const DetourZone& one) {
+    return contains_point(one.obstacles, obstacle.box.centre());
+  });
+  return found == zones_.end() ? nullptr : &*found;
 }
 
 int StripPassages::stops_at_ends(const Intervals& driven, const std::vector<BoundaryWindow>& windows) const {
@@ -180,29 +335,29 @@ StripPassages::WaysRound StripPassages::ways_round(const Obstacle& obstacle, con
   const Box& box = obstacle.box;
   const double left = left_ + terms_.shift_m + 2 * kNoPiece_m,
                right = right_ - terms_.shift_m - 2 * kNoPiece_m;
-  const double turned = turned_m(obstacle);
+  const double turned = turned_m(obstacle.box), shift = shift_at(obstacle);
   Interval rows = extent_along(*obstacle.ring, left, right);
   rows = {rows.from + turned + kNoPiece_m, rows.to - turned - kNoPiece_m};
-  if (piece.from < box.min_y - turned - kNoPiece_m && piece.to > box.max_y + turned + kNoPiece_m)
-    rows = {box.min_y, box.max_y};
-  const auto zone = std::find_if(zones_.begin(), zones_.end(), [&box](const DetourZone& one) {
-    return contains_point(one.obstacles, box.centre());
-  });
   WaysRound out;
-  if (rows.from >= rows.to || zone == zones_.end()) return out;
+  out.in_strip = rows;
+  if (obstacle.alone && rows.from < rows.to) {
+    // A detour goes round all that is in the way in these rows, and what lies farther to its side.
+    out.passed[0] = ends_within(*obstacle.ring, {box.min_x, rows.from, right, rows.to});
+    out.passed[1] = ends_within(*obstacle.ring, {left, rows.from, box.max_x, rows.to});
+  }
+  const bool whole =
+      piece.from < box.min_y - turned - kNoPiece_m && piece.to > box.max_y + turned + kNoPiece_m;
+  if (whole) rows = {box.min_y, box.max_y};
+  const DetourZone* zone = zone_of(obstacle);
+  if (rows.from >= rows.to || !zone) return out;
   const auto pass = [&](Point past, double aside, Way& way) {
-    const double rise = aside + 0.5 * terms_.width_m - terms_.shift_m - kNoPiece_m;
+    const double rise = aside + 0.5 * terms_.width_m - shift - kNoPiece_m;
     if (rise <= 0 || !way.fits) return;
-    const double reach =
-        2 * terms_.detour_reach_m + kDetourFoot * rise + turned + terms_.width_m * kNoPiece_m;
-    double longer_m = 0;
-    for (const double run : {past.y - zone->obstacles.min_y + reach, zone->obstacles.max_y - past.y + reach})
-      longer_m += std::hypot(run, rise) - run;
-    way.longer_m = std::max(way.longer_m, longer_m);
     const double room = std::min(past.y - land.from, land.to - past.y) + turned + kNoPiece_m;
     way.fits = room >= least_way_back(rise, terms_.detour_reach_m);
     if (rise > way.aside_m) {
       way.past = past;
+      way.is_farthest = whole;
       // A circle is gone round as one, past its middle.
       const bool may_be_round = obstacle.ring->size() >= kFewestOfCircle;
       way.slack_m = turned + kNoPiece_m +
@@ -210,51 +365,46 @@ StripPassages::WaysRound StripPassages::ways_round(const Obstacle& obstacle, con
     }
     way.aside_m = std::max(way.aside_m, rise);
   };
+  thread_local std::array<std::vector<SeenPoint>, 2> seen;
+  for (std::vector<SeenPoint>& side : seen) side.clear();
   for (const Point past : corners_in(*obstacle.ring, rows)) {
-    pass(past, centre_ - past.x, out.left);
-    pass(past, past.x - centre_, out.right);
+    const double left_m = centre_ - past.x, right_m = past.x - centre_;
+    pass(past, left_m, out.left);
+    pass(past, right_m, out.right);
+    seen[0].push_back({past.y, left_m - shift - kNoPiece_m});
+    seen[1].push_back({past.y, right_m - shift - kNoPiece_m});
   }
+  // Detours lie in the rows of their zone; they are displaced no farther than half a width beyond all of it.
+  const double most_aside[] = {centre_ - zone->obstacles.min_x, zone->obstacles.max_x - centre_};
+  Way* ways[] = {&out.left, &out.right};
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!ways[side]->fits || ways[side]->aside_m <= 0) continue;
+    const double zone_turned = turned_m(zone->obstacles);
+    const double reach =
+        rows_to_leave_m(most_aside[side] + 0.5 * terms_.width_m + terms_.shift_m + zone_turned +
+                        kDetourRound_share * std::hypot(zone->obstacles.width(), zone->obstacles.height())) +
+        zone_turned + terms_.width_m * kNoPiece_m;
+    const double longer_m = least_longer_m(seen[side], 0.5 * terms_.width_m,
+                                           {zone->obstacles.min_y - reach, zone->obstacles.max_y + reach});
+    // Corners may lie elsewhere along, all the more the farther they are apart.
+    ways[side]->longer_m = std::max(0.0, longer_m - 2 * turned);
+  }
+  if (!obstacle.alone || !whole) return out;
+  if (out.left.aside_m > 0) out.passed[0].push_back(out.left.past);
+  if (out.right.aside_m > 0) out.passed[1].push_back(out.right.past);
   return out;
 }
 
-/// By how much points of an obstacle may lie elsewhere along, and those of the strips near it.
-double StripPassages::turned_m(const Obstacle& obstacle) const {
-  const Box& box = obstacle.box;
+/// No detour that is displaced so far begins farther from what it goes round: by two arcs, or where these do
+/// not suffice by a line between them.
+double StripPassages::rows_to_leave_m(double aside_m) const {
+  const double r = terms_.detour_reach_m;
+  return aside_m < 2 * r ? std::sqrt(aside_m * (4 * r - aside_m)) : 2 * r + kDetourFoot * aside_m;
+}
+
+/// By how much points of obstacles in a box may lie elsewhere along, and those of the strips near them.
+double StripPassages::turned_m(const Box& box) const {
   return 2 * (terms_.tangent * (box.width() + box.height() + 2 * terms_.width_m) + terms_.shear_m);
-}
-
-/// Whether no other strip has a detour where this obstacle is: it reaches into no other, in no grid, and no
-/// detours round others come so near.
-bool StripPassages::is_alone(const ObstacleRows& rows) const {
-  const Box& box = rows.obstacle->box;
-  const double margin = terms_.shift_m + kWidthTolerance;
-  if (box.min_x - margin <= left_ || box.max_x + margin >= right_) return false;
-  const auto zone = std::find_if(zones_.begin(), zones_.end(), [&box](const DetourZone& one) {
-    return contains_point(one.obstacles, box.centre());
-  });
-  if (zone == zones_.end() || zone->count != 1) return false;
-  const Box strip{left_ - margin, zone->land.min_y - terms_.shear_m, right_ + margin,
-                  zone->land.max_y + terms_.shear_m};
-  return std::none_of(zones_.begin(), zones_.end(), [&](const DetourZone& one) {
-    return &one != &*zone && intersects(one.land.grown(terms_.shift_m + terms_.shear_m), strip);
-  });
-}
-
-/// Land of the strip that nobody works where its own detour goes this way.
-double StripPassages::vacated(const Way& way, const std::vector<BoundaryWindow>& windows) const {
-  if (way.aside_m <= 0) return 0;
-  Intervals full;
-  for (std::size_t i = 0; i + 1 < windows.size(); ++i)
-    if (windows[i].inside_after)
-      full.push_back({windows[i].highest + terms_.shear_m, windows[i + 1].lowest - terms_.shear_m});
-  return vacated_m2({way.past.y, way.aside_m, terms_.detour_reach_m, terms_.width_m, way.slack_m}, full);
-}
-
-/// Whether an obstacle is in the way between these coordinates along, in every grid.
-bool StripPassages::blocks_within(double from, double to) const {
-  return std::any_of(rows_.begin(), rows_.end(), [&](const ObstacleRows& one) {
-    return one.blocks && one.rows.from >= from && one.rows.to <= to;
-  });
 }
 
 /// Whether all of the boundary between these coordinates along has an obstacle beyond it.

@@ -177,8 +177,10 @@ class BestSearch {
     PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
     if (hindered) {
       slide(out.whole);
+      const LinedSubfield& lined = out.whole.lined_subfields.front();
       const ProvenBound proven =
-          bound_of_grids(task_, part, effort, context_, price_alone(part, out.whole.candidate));
+          bound_of_grids(task_, part, effort, context_,
+                         {price_alone(part, out.whole.candidate), lined.subfield.direction, lined.origin_m});
       out.bound = proven.bound;
       out.boxes += proven.boxes;
     }

@@ -53,10 +53,14 @@ class GridSearch {
         soft_list_(pricing_.width_m()) {}
 
   /// Bounds boxes only.
-  ProvenBound prove(double known) {
-    known_ = known;
+  ProvenBound prove(const KnownGrid& known) {
+    known_ = known.cost;
+    const double angle = known.direction.angle().radians();
+    const GridTally tally = pricing_.tally(angle);
+    const PositionBox itself{{angle, known.origin_m - pricing_.origin(tally, 0)}, 0, 0};
+    reachable_ = pricing_.least(tally, itself, std::numeric_limits<double>::infinity());
     if (effort_.most_boxes > 0) branch();
-    return {std::min(bound_, known), boxes_};
+    return {std::min(bound_, known.cost), boxes_};
   }
 
   BranchAndBoundResult run(const Rival& rival) {
@@ -182,7 +186,10 @@ class GridSearch {
 
   /// A box that cannot cost less holds nothing worth finding.
   double target() const {
-    if (known_) return std::isfinite(*known_) ? *known_ - effort_.gap * std::abs(*known_) : *known_;
+    if (known_) {
+      const double reachable = std::min(*known_, reachable_);
+      return std::isfinite(reachable) ? reachable - effort_.gap * std::abs(reachable) : reachable;
+    }
     const FoundGrid& best = list_.best();
     if (!best.works) return std::numeric_limits<double>::infinity();
     const double cheapest = std::min(best.cost, rival_);
@@ -242,7 +249,8 @@ class GridSearch {
   bool makes_headway(double closed) const {
     const double open_gap = target() - open_.top().bound;
     const double looks_left = static_cast<double>(effort_.most_boxes - boxes_) / kLookEvery;
-    return closed >= (hindered_ && !known_ ? kLeastWhereHindered : kLeastProgress) * open_gap &&
+    if (known_) return closed >= kLeastProgress * open_gap;
+    return closed >= (hindered_ ? kLeastWhereHindered : kLeastProgress) * open_gap &&
            2 * closed * looks_left >= open_gap;
   }
 
@@ -280,6 +288,7 @@ class GridSearch {
   SearchContext context_;
   bool hindered_;
   double rival_ = std::numeric_limits<double>::infinity();
+  double reachable_ = std::numeric_limits<double>::infinity();  ///< what bounds of the best known grid reach
   std::optional<double> known_;  ///< where nothing but the bound is wanted: the cost to compare with
   GridShortlist list_, soft_list_;
   std::priority_queue<SearchBox, std::vector<SearchBox>, LaterBox> open_;
@@ -295,7 +304,7 @@ BranchAndBoundResult branch_and_bound(const SearchTask& task, const Polygon& par
 }
 
 ProvenBound bound_of_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-                           const SearchContext& context, double known) {
+                           const SearchContext& context, const KnownGrid& known) {
   return GridSearch(task, part, effort, context, NearObstacles::kCharged).prove(known);
 }
 

@@ -49,9 +49,17 @@ struct ProvenBound {
   int boxes = 0;
 };
 
+/// The best grid found, with its detours.
+struct KnownGrid {
+  double cost = 0;  ///< of the part by itself
+  Direction direction;
+  double origin_m = 0;  ///< coordinate of line 0 across the tracks, in the turned plane
+};
+
 /// The same search where obstacles are in the way, with a bound that charges the land near them too, and for
-/// nothing but the bound: `known` is the cost of the best grid found with its detours, by itself.
+/// nothing but the bound. It ends where the bound is near to what it is of the known grid alone, which it
+/// cannot exceed.
 ProvenBound bound_of_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-                           const SearchContext& context, double known);
+                           const SearchContext& context, const KnownGrid& known);
 
 }  // namespace tramline

@@ -34,7 +34,8 @@ GridPricing::GridPricing(const SearchTask& task, const Polygon& part, const Sear
              std::max(task.machine.radius_m, 0.5 * task.machine.width_m),
              task.ground.plannable.size() == 1 ? DetoursOf::kThisGrid : DetoursOf::kAnyGrid,
              near,
-             {}} {
+             {},
+             task.settings.avoid != Avoidance::kPaper} {
   soft_.stop = std::min(soft_.stop, soft_.turn);
   if (near == NearObstacles::kCharged)
     bound_.at_obstacle = edges_at_obstacles(rings_of({part_}), task.ground.hard);

@@ -1,12 +1,12 @@
-// The land that a strip's own detour leaves, against the distances of places from a path of two arcs.
+// The inner edge of a detour's swath, against the distances of places from a path of two arcs.
 
-#include "tramline/cost/bound/vacated_land.h"
+#include "tramline/cost/bound/swath_edge.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "tramline/geometry/interval.h"
 #include "tramline/geometry/point.h"
 
 namespace tramline {
@@ -44,27 +44,34 @@ double by_distances_m2(const std::vector<Point>& path, double width_m, double fr
   return count * kStep_m * kStep_m;
 }
 
-TEST(VacatedLand, IsWhatTheSwathAlongTwoArcsLeaves) {
+/// What the strip has beside the edge in those rows, by the lower end of each row.
+double beside_the_edge_m2(const PassedPlace& place, double from, double to) {
+  constexpr double kStep_m = 0.05;
+  double sum = 0;
+  for (double y = from; y < to; y += kStep_m)
+    sum +=
+        kStep_m * std::clamp(inner_edge_m(place, y - place.along) + 0.5 * place.width_m, 0.0, place.width_m);
+  return sum;
+}
+
+TEST(SwathEdge, BoundsWhatTheSwathAlongTwoArcsLeaves) {
   for (const double aside_m : {0.5, 1.5, 4.0, 9.0}) {
     const PassedPlace place{0, aside_m, 6, 3, 0};
     const double exact_m2 = by_distances_m2(path_of_two_arcs(aside_m, 6), 3, 0, 12);
-    const double least_m2 = vacated_m2(place, {{0, 12}});
+    const double least_m2 = beside_the_edge_m2(place, 0, 12);
     // The sampled swath is open, and samples of the path are centimetres apart.
     EXPECT_LE(least_m2, exact_m2 + 0.3) << aside_m;
-    EXPECT_GE(least_m2, 0.88 * exact_m2 - 0.3) << aside_m;
+    EXPECT_GE(least_m2, 0.95 * exact_m2 - 0.3) << aside_m;
   }
 }
 
-TEST(VacatedLand, CountsRowsOnBothSidesOfThePlaceAndNoOthers) {
+// At the place itself the edge lies half a width inside the line; two radii away the arcs have ended.
+TEST(SwathEdge, LiesHalfAWidthInsideTheLineAndEndsOnTheTrack) {
   const PassedPlace place{100, 3, 6, 3, 0};
-  const double one_side_m2 = vacated_m2(place, {{100, 112}});
-  EXPECT_GT(one_side_m2, 9);
-  EXPECT_NEAR(vacated_m2(place, {{88, 112}}), 2 * one_side_m2, 1e-9);
-  EXPECT_NEAR(vacated_m2(place, {{88, 99}, {101, 112}}),
-              vacated_m2(place, {{88, 99}}) + vacated_m2(place, {{101, 112}}), 1e-9);
-  EXPECT_EQ(vacated_m2(place, {{113, 200}}), 0) << "the arcs end 2 r away at the latest";
-  EXPECT_LT(vacated_m2({100, 3, 6, 3, 1}, {{88, 112}}), 2 * one_side_m2)
-      << "less is certain where the place may lie elsewhere";
+  EXPECT_NEAR(inner_edge_m(place, 0), 1.5, 1e-12);
+  EXPECT_EQ(inner_edge_m(place, 12), -1.5);
+  for (double away_m = 0.1; away_m < 12; away_m += 0.1)
+    EXPECT_LE(inner_edge_m(place, away_m), inner_edge_m(place, away_m - 0.1) + 1e-12);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #pragma once
-// The land of a strip that its own detour leaves.
-
-#include "tramline/geometry/interval.h"
+// The inner edge of the swath of a detour about the place where it is displaced farthest.
 
 namespace tramline {
 
@@ -14,9 +12,9 @@ struct PassedPlace {
   double slack_m = 0;  ///< by how much the place may lie elsewhere along the track
 };
 
-/// Least area, m², of the strip's land in these rows (all of it land, from side to side) that the swath does
-/// not work. The path is displaced at least as far as one of two arcs: bent towards the track from the place
-/// on, and then back into it. O(rows).
-double vacated_m2(const PassedPlace& place, const Intervals& rows);
+/// How far beside the track's line the inner edge of the swath lies at least, `away_m` ≥ 0 along the track
+/// from the place; half a width to the other side where it may be back on the track. The path is displaced at
+/// least as far as one of two arcs: bent towards the track from the place on, and then back into it.
+double inner_edge_m(const PassedPlace& place, double away_m);
 
 }  // namespace tramline
