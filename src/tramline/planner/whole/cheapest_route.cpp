@@ -9,32 +9,21 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/headland_choice/foreseen_passes.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
-#include "tramline/planner/whole/route_floor.h"
+#include "tramline/planner/whole/compared_plans.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
 
 namespace tramline {
 namespace {
 
-/// Tracks laid anew come near where their floor is above the least price by no more than this share.
-constexpr double kComesNear = 0.1;
-/// So many layouts are laid anew behind other passes.
-constexpr std::size_t kLaidAnew = 3;
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
 constexpr double kExpected = 0.6;
-/// So many routes behind the same passes lack room before it is held to be the land's fault.
-constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
 /// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
 constexpr std::size_t kFewTracks = 16;
-/// Tracks are moved behind so many depths of headland, where the plan costs no more than this share above the
-/// best one.
-constexpr std::size_t kDepths = 2;
-constexpr double kAsGood = 0.01;
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
 
@@ -45,29 +34,9 @@ constexpr double kFirstRoutes = 0.5;
 constexpr double kDepthFound = 0.75;
 constexpr double kObstaclesFound = 0.85;
 
-/// A plan to be compared. It has its route where it has a price.
-struct Entry {
-  LaidOut laid;
-  double floor = 0;
-  std::optional<double> price{};
-  bool lacks_room_like_others = false;
-};
-
-/// Whether as many passes lie along all edges.
-bool all_round(const PassesByBoundary& passes) {
-  return std::adjacent_find(passes.edges.begin(), passes.edges.end(), std::not_equal_to<>()) ==
-         passes.edges.end();
-}
-
 bool backs_out(const Plan& plan) {
   return std::any_of(plan.route.legs.begin(), plan.route.legs.end(),
                      [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
-}
-
-/// The passes all round; -1 for others.
-int depth_of(const Entry& entry) {
-  const PassesByBoundary& passes = entry.laid.trial.passes;
-  return all_round(passes) ? deepest(passes) : -1;
 }
 
 class Comparison {
@@ -104,18 +73,15 @@ class Comparison {
   }
 
  private:
-  void add(LaidOut laid) {
-    const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
-    entries_.push_back({std::move(laid), floor});
-  }
+  void add(LaidOut laid) { plans_.push_back(compared_plan(std::move(laid))); }
 
   bool goes_on() const { return best_ && !context_.has_to_end(); }
 
   double least_price() const {
-    return best_ ? *entries_[*best_].price : std::numeric_limits<double>::infinity();
+    return best_ ? *plans_[*best_].price : std::numeric_limits<double>::infinity();
   }
 
-  void plan_route(Entry& entry) {
+  void plan_route(ComparedPlan& entry) {
     context_.report();
     HeadlandTrial& trial = entry.laid.trial;
     trial.problem.settings.turns = TurnPlanning::kRoute;
@@ -129,12 +95,14 @@ class Comparison {
 
   /// What the routes of this field cost beyond their floors at the least, so far; of that a part may be
   /// saved by another one.
-  double least_expected(const Entry& entry) const { return entry.floor + kExpected * least_beyond_floor_; }
+  double least_expected(const ComparedPlan& entry) const {
+    return entry.floor + kExpected * least_beyond_floor_;
+  }
 
   /// Whether the entry is the cheapest so far. Where that is not to be expected its route is planned to be
   /// told of only, so that explaining a plan does not change it.
   bool improves(std::size_t i) {
-    Entry& entry = entries_[i];
+    ComparedPlan& entry = plans_[i];
     if (entry.price || (best_ && context_.has_to_end())) return false;
     const bool may_win = !best_ || (!entry.lacks_room_like_others && least_expected(entry) < least_price());
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
@@ -142,45 +110,34 @@ class Comparison {
     plan_route(entry);
     if (!may_win) return false;
     // Other layouts may have room where this one has none.
-    const double with_room = *entry.price - whole_cost(entry.laid.trial.draft.plan).without_room;
+    const double with_room = *entry.price - whole_cost(entry.plan()).without_room;
     least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, with_room - entry.floor));
     if (*entry.price >= before) return false;
     best_ = i;
     return true;
   }
 
-  /// Whether several routes behind as many passes have legs without room: then the shape of the land lacks
-  /// it.
-  bool others_lack_room(const Entry& entry) const {
-    const int depth = depth_of(entry);
-    const auto lacking = std::count_if(entries_.begin(), entries_.end(), [&](const Entry& other) {
-      return other.price && depth_of(other) == depth &&
-             sums_of(other.laid.trial.draft.plan.route).without_room > 0;
-    });
-    return lacking >= kEnoughWithoutRoom;
-  }
-
   bool improves(std::optional<LaidOut> laid) {
     if (!laid) return false;
     add(std::move(*laid));
-    return improves(entries_.size() - 1);
+    return improves(plans_.size() - 1);
   }
 
   void plan_routes() {
-    std::vector<std::size_t> order(entries_.size());
+    std::vector<std::size_t> order(plans_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [this](std::size_t a, std::size_t b) { return entries_[a].floor < entries_[b].floor; });
+                     [this](std::size_t a, std::size_t b) { return plans_[a].floor < plans_[b].floor; });
     for (std::size_t done = 0; done < order.size(); ++done) {
-      Entry& entry = entries_[order[done]];
-      entry.lacks_room_like_others = others_lack_room(entry);
+      ComparedPlan& entry = plans_[order[done]];
+      entry.lacks_room_like_others = others_lack_room(plans_, entry);
       improves(order[done]);
       const double share = static_cast<double>(done + 1) / static_cast<double>(order.size());
       context_.reach(kBegun + (kFirstRoutes - kBegun) * share);
     }
   }
 
-  const HeadlandTrial& best() const { return entries_[*best_].laid.trial; }
+  const HeadlandTrial& best() const { return plans_[*best_].laid.trial; }
 
   /// One pass more or less all round the field, as long as that costs less; none where open passes have
   /// turned out better on narrow land. The tracks of least cost behind them are searched for where the best
@@ -194,90 +151,50 @@ class Comparison {
           break;
   }
 
-  /// The entries that cost no more than this share above the best one, the cheapest first.
-  std::vector<std::size_t> cheapest_within(double share) const {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].price && *entries_[i].price <= (1 + share) * least_price()) out.push_back(i);
-    std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
-      return *entries_[a].price < *entries_[b].price;
-    });
-    return out;
-  }
-
-  /// The best entry, and others in other directions that come near it, the best one last.
-  std::vector<std::size_t> near_the_best() const {
-    std::vector<std::size_t> distinct;
-    for (const std::size_t i : cheapest_within(kComesNear))
-      if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t other) {
-            return same_directions(entries_[i].laid.trial.draft.plan, entries_[other].laid.trial.draft.plan);
-          }))
-        distinct.push_back(i);
-    if (distinct.size() > kLaidAnew) distinct.resize(kLaidAnew);
-    std::reverse(distinct.begin(), distinct.end());
-    return distinct;
-  }
-
   bool improves_with(const PassesByBoundary& passes) {
     if (!layouts_.leave_other_land(passes)) return false;
     bool cheaper = false, best_comes_near = true;
-    for (const std::size_t like : near_the_best()) {
-      std::optional<LaidOut> laid =
-          layouts_.laid_out(Alternative::kSearched, entries_[like].laid.trial.draft.plan, passes);
+    for (const std::size_t like : near_the_best(plans_, least_price())) {
+      std::optional<LaidOut> laid = layouts_.laid_out(Alternative::kSearched, plans_[like].plan(), passes);
       if (!laid) continue;
       add(std::move(*laid));
-      const std::size_t last = entries_.size() - 1;
-      best_comes_near = least_expected(entries_[last]) <= (1 + kComesNear) * least_price();
+      const std::size_t last = plans_.size() - 1;
+      best_comes_near = least_expected(plans_[last]) <= (1 + kComesNear) * least_price();
       cheaper = improves(last) || cheaper;
     }
     if (!cheaper && !best_comes_near) return false;
     for (LaidOut& laid : layouts_.searched(passes))
-      if (!is_known(laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
+      if (!has_such(plans_, laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
     return cheaper;
   }
 
   /// Directions that come near it behind other passes are laid behind those of the best plan.
   void vary_directions() {
     const PassesByBoundary passes = best().passes;
-    for (const std::size_t like : near_the_best()) {
-      const Plan& plan = entries_[like].laid.trial.draft.plan;
-      if (!is_known(plan, passes)) improves(layouts_.laid_out(Alternative::kSearched, plan, passes));
+    for (const std::size_t like : near_the_best(plans_, least_price())) {
+      const Plan& plan = plans_[like].plan();
+      if (!has_such(plans_, plan, passes)) improves(layouts_.laid_out(Alternative::kSearched, plan, passes));
     }
-  }
-
-  /// The best entries behind different passes that cost about the same, the best one first.
-  std::vector<std::size_t> about_as_good() const {
-    std::vector<std::size_t> out;
-    for (const std::size_t i : cheapest_within(kAsGood)) {
-      const bool known = std::any_of(out.begin(), out.end(), [&](std::size_t other) {
-        return entries_[i].laid.trial.passes == entries_[other].laid.trial.passes;
-      });
-      if (!known && out.size() < kDepths) out.push_back(i);
-    }
-    return out;
   }
 
   /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
   /// which the cost of tracks knows nothing.
   void vary_grids() {
-    for (const std::size_t i : about_as_good()) vary_grid(i);
+    for (const std::size_t i : about_as_good(plans_, least_price())) vary_grid(i);
   }
 
   void vary_grid(std::size_t of) {
-    const Plan& plan = entries_[of].laid.trial.draft.plan;
+    const Plan& plan = plans_[of].plan();
     if (plan.pieces.empty() || plan.pieces.size() > kFewTracks || !problem_.field.obstacles.empty()) return;
-    std::vector<Entry> near;
-    for (LaidOut& laid : beside(entries_[of].laid, kDrafted)) {
-      const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
-      near.push_back({std::move(laid), floor});
-    }
+    ComparedPlans near;
+    for (LaidOut& laid : beside(plans_[of].laid, kDrafted)) near.push_back(compared_plan(std::move(laid)));
     std::stable_sort(near.begin(), near.end(),
-                     [](const Entry& a, const Entry& b) { return a.floor < b.floor; });
+                     [](const ComparedPlan& a, const ComparedPlan& b) { return a.floor < b.floor; });
     for (std::size_t i = 0; i < std::min(near.size(), kRouted); ++i) {
-      Entry& entry = near[i];
+      ComparedPlan& entry = near[i];
       if (context_.has_to_end() || least_expected(entry) >= least_price()) return;
-      entries_.push_back(std::move(entry));
-      improves(entries_.size() - 1);
+      plans_.push_back(std::move(entry));
+      improves(plans_.size() - 1);
     }
   }
 
@@ -296,16 +213,10 @@ class Comparison {
     }
   }
 
-  bool is_known(const Plan& like, const PassesByBoundary& passes) const {
-    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-      return entry.laid.trial.passes == passes && same_directions(entry.laid.trial.draft.plan, like);
-    });
-  }
-
   void try_obstacles(const std::vector<int>& passes) {
     PassesByBoundary with = best().passes;
     with.obstacles = passes;
-    if (is_known(best().draft.plan, with)) return;
+    if (has_such(plans_, best().draft.plan, with)) return;
     improves(layouts_.laid_out(Alternative::kSearched, best().draft.plan, with));
   }
 
@@ -315,7 +226,7 @@ class Comparison {
       PassesByBoundary none = best().passes;
       std::fill(none.edges.begin(), none.edges.end(), 0);
       if (auto bare = layouts_.laid_out(Alternative::kNoHeadland, best().draft.plan, none)) {
-        Entry entry{std::move(*bare)};
+        ComparedPlan entry{std::move(*bare)};
         plan_route(entry);
       }
     }
@@ -324,7 +235,7 @@ class Comparison {
       return one.kind == Alternative::kAdjacent;
     });
     if (known) return;
-    Entry entry{in_adjacent_order()};
+    ComparedPlan entry{in_adjacent_order()};
     plan_route(entry);
   }
 
@@ -372,7 +283,7 @@ class Comparison {
     if (deepened) {
       out.plan = std::move(*deepened);
     } else {
-      HeadlandTrial& trial = entries_[*best_].laid.trial;
+      HeadlandTrial& trial = plans_[*best_].laid.trial;
       out.plan = finished(SearchTask(trial.problem, trial.prepared), std::move(trial.found),
                           std::move(trial.draft), context_);
     }
@@ -393,7 +304,7 @@ class Comparison {
   Compare compare_;
   const SearchContext& context_;
   RouteLayouts layouts_;
-  std::vector<Entry> entries_;
+  ComparedPlans plans_;
   std::optional<std::size_t> best_{};
   bool narrow_ = false;  ///< passes all round work most of the field
   double least_beyond_floor_ = std::numeric_limits<double>::max();

@@ -1,0 +1,86 @@
+#include "tramline/planner/whole/compared_plans.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "tramline/planner/headland_choice/foreseen_passes.h"
+#include "tramline/planner/whole/route_floor.h"
+
+namespace tramline {
+namespace {
+
+/// So many layouts are laid anew behind other passes.
+constexpr std::size_t kLaidAnew = 3;
+/// So many routes behind the same passes lack room before it is held to be the land's fault.
+constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
+/// Tracks are moved behind so many depths of headland, where the plan costs no more than this share above the
+/// best one.
+constexpr std::size_t kDepths = 2;
+constexpr double kAsGood = 0.01;
+
+/// The passes all round; -1 for others.
+int depth_of(const ComparedPlan& plan) { return all_round(plan.passes()) ? deepest(plan.passes()) : -1; }
+
+/// Those that cost no more than this share above the least price, the cheapest first.
+std::vector<std::size_t> cheapest_within(const ComparedPlans& plans, double least_price, double share) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    if (plans[i].price && *plans[i].price <= (1 + share) * least_price) out.push_back(i);
+  std::stable_sort(out.begin(), out.end(),
+                   [&](std::size_t a, std::size_t b) { return *plans[a].price < *plans[b].price; });
+  return out;
+}
+
+/// The first few that are like none before.
+template <class Like>
+std::vector<std::size_t> first_distinct(const std::vector<std::size_t>& from, std::size_t most,
+                                        const Like& like) {
+  std::vector<std::size_t> out;
+  for (const std::size_t i : from) {
+    const bool known = std::any_of(out.begin(), out.end(), [&](std::size_t other) { return like(i, other); });
+    if (!known && out.size() < most) out.push_back(i);
+  }
+  return out;
+}
+
+}  // namespace
+
+ComparedPlan compared_plan(LaidOut laid) {
+  const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
+  return {std::move(laid), floor};
+}
+
+bool all_round(const PassesByBoundary& passes) {
+  return std::adjacent_find(passes.edges.begin(), passes.edges.end(), std::not_equal_to<>()) ==
+         passes.edges.end();
+}
+
+bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan) {
+  const int depth = depth_of(plan);
+  const auto lacking = std::count_if(plans.begin(), plans.end(), [&](const ComparedPlan& other) {
+    return other.price && depth_of(other) == depth && sums_of(other.plan().route).without_room > 0;
+  });
+  return lacking >= kEnoughWithoutRoom;
+}
+
+bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes) {
+  return std::any_of(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
+    return one.passes() == passes && same_directions(one.plan(), like);
+  });
+}
+
+std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_price) {
+  std::vector<std::size_t> out = first_distinct(
+      cheapest_within(plans, least_price, kComesNear), kLaidAnew,
+      [&](std::size_t a, std::size_t b) { return same_directions(plans[a].plan(), plans[b].plan()); });
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price) {
+  return first_distinct(cheapest_within(plans, least_price, kAsGood), kDepths,
+                        [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
+}
+
+}  // namespace tramline

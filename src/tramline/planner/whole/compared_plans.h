@@ -1,0 +1,48 @@
+#pragma once
+// Plans that are compared by the cost of their whole routes, and which of them others are made from.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tramline/planner/whole/route_layouts.h"
+
+namespace tramline {
+
+/// A plan to be compared. It has its route where it has a price.
+struct ComparedPlan {
+  LaidOut laid;
+  double floor = 0;               ///< route_floor(), EUR
+  std::optional<double> price{};  ///< the cost of its route, EUR
+  bool lacks_room_like_others = false;
+
+  const Plan& plan() const { return laid.trial.draft.plan; }
+  const PassesByBoundary& passes() const { return laid.trial.passes; }
+};
+using ComparedPlans = std::vector<ComparedPlan>;
+
+/// A plan with its floor, without a route.
+ComparedPlan compared_plan(LaidOut laid);
+
+/// Plans come near the best one where they cost no more than this share above it.
+inline constexpr double kComesNear = 0.1;
+
+/// Whether as many passes lie along all edges.
+bool all_round(const PassesByBoundary& passes);
+
+/// Whether several routes behind as many passes all round have legs without room: then the shape of the land
+/// lacks it. O(n), as all that follow: none looks at anything but directions, passes and prices.
+bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan);
+
+/// Whether one of them has these passes and directions.
+bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes);
+
+/// The few of them in different directions that come near the least price, EUR, the cheapest last: worth
+/// laying anew behind other passes. Indices.
+std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_price);
+
+/// The few of them behind different passes that cost about the least price, the cheapest first: worth moving
+/// their tracks a little. Indices.
+std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price);
+
+}  // namespace tramline
