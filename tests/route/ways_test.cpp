@@ -224,6 +224,7 @@ TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
     const LeastSeconds least(machine);
     KnownCosts costs(lines, connector, least);
     const order::End a = 1, b = 3, c = 5;  // where the first three tracks end
+    costs.expect_more();
     const double foreseen_s = costs.between(a, b), other_s = costs.between(a, c);
     const Way way = costs.way(a, b);
     const double more_s = costs.between(a, c) - other_s;

@@ -18,7 +18,7 @@ namespace tramline {
 namespace {
 
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
-constexpr double kExpected = 0.6;
+constexpr double kExpected = 0.4;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 

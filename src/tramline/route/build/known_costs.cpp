@@ -79,7 +79,8 @@ double KnownCosts::estimate(order::End left, order::End entered) const {
 double KnownCosts::one_way(order::End left, order::End entered) const {
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return cost_of(found->second);
-  return estimate(left, entered) + kOfEachEnd * (more_s_[left] + more_s_[entered]);
+  const double least_s = estimate(left, entered);
+  return expects_more_ ? least_s + kOfEachEnd * (more_s_[left] + more_s_[entered]) : least_s;
 }
 
 double KnownCosts::between(order::End a, order::End b) const {
@@ -118,6 +119,11 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
                                lines_[order::line_of(entered)].entered_by(entered).first);
   if (way.has_room()) learn(left, entered, way.cost_s - estimate(left, entered));
   return ways_.emplace(key(left, entered), std::move(way)).first->second;
+}
+
+void KnownCosts::expect_more() {
+  expects_more_ = true;
+  between_.clear();
 }
 
 void KnownCosts::learn(order::End left, order::End entered, double more_s) {

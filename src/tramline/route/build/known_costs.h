@@ -19,10 +19,9 @@
 namespace tramline {
 
 /// Costs of ways between lines: that of the way found, once it has been looked for, and until then what it
-/// costs at least where there is room, with what backing out takes at ends without a way off and, once other
-/// ways from its two ends have been found, a share of what the best of those cost more than that: where a
-/// headland is shallow for some, it is for others. Symmetric, as searches need it: where machine and
-/// implement sweep differently in the two senses, the mean of both. Not for several threads.
+/// costs at least where there is room, with what backing out takes at ends without a way off. Symmetric, as
+/// searches need it: where machine and implement sweep differently in the two senses, the mean of both. Not
+/// for several threads.
 class KnownCosts final : public order::EndCosts {
  public:
   /// All outlive the costs.
@@ -39,6 +38,11 @@ class KnownCosts final : public order::EndCosts {
   /// The way from one end to another, found when it is first asked for. Precondition: ends of different
   /// lines.
   const Way& way(order::End left, order::End entered);
+
+  /// From now on a way that was not looked for is expected to cost more where others from its two ends have
+  /// been found: a share of what the best of those cost more than at least. Where headlands are shallow for
+  /// one way, they are for others; where they are not, only lower bounds lead to the quickest order.
+  void expect_more();
 
   /// For each end the ends that are quickest reached from it, whatever room there is.
   order::Neighbours neighbours() const;
@@ -77,8 +81,9 @@ class KnownCosts final : public order::EndCosts {
   std::vector<Pose> entered_;
   order::Neighbours looked_at_;
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
-  std::vector<double>
-      more_s_;               ///< by end: the least that a way found costs more than estimated; 0 until then
+  bool expects_more_ = false;
+  /// By end: the least that a way found costs more than estimated; 0 until then.
+  std::vector<double> more_s_;
   std::vector<bool> knows_;  ///< by end: whether one was found
   std::vector<double> at_start_;
   std::vector<double> at_finish_;

@@ -13,6 +13,8 @@ namespace {
 /// Ways along the best tour are looked for so often; some more times as long as some of them lack room, and
 /// no longer once so many tours were no better.
 constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
+/// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
+constexpr double kFarMore = 1.3;
 /// What was foreseen of a tour is near enough, as a share of it.
 constexpr double kForeseen = 1e-3;
 
@@ -83,6 +85,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
     settled.push_back(tour);
     const double cost_s = order::connection_s(tour, costs);
     if (cost_s <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
+    if (round == 0 && cost_s > kFarMore * foreseen_s) costs.expect_more();
     if (cost_s < least_s) {
       least_s = cost_s;
       lacking = without_room(found.ways);
