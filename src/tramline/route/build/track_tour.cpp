@@ -10,8 +10,8 @@
 namespace tramline {
 namespace {
 
-/// Ways along the best tour are looked for so often; some more times as long as some of them lack room, and
-/// no longer once so many tours were no better.
+/// Ways along the best tour are looked for so often, and some more times as long as some of them lack room.
+/// Where they have to be searched for they take long: there so many tours that are no better are enough.
 constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
 /// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
 constexpr double kFarMore = 1.3;
@@ -78,6 +78,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
   Tour tour = found_order(costs, costs.neighbours(), given, order::Effort::kWhole);
   double least_s = std::numeric_limits<double>::infinity();
   std::ptrdiff_t lacking = 0;  // ways of the best tour
+  bool shallow = false;        // headlands, for many turns
   for (int round = 0, idle = 0; round < (lacking > 0 ? kMostForRoom : kMostRounds); ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
     const TrackTour found = in_order(tour, costs);
@@ -85,12 +86,15 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
     settled.push_back(tour);
     const double cost_s = order::connection_s(tour, costs);
     if (cost_s <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
-    if (round == 0 && cost_s > kFarMore * foreseen_s) costs.expect_more();
+    if (round == 0 && cost_s > kFarMore * foreseen_s) {
+      shallow = true;
+      costs.expect_more();
+    }
     if (cost_s < least_s) {
       least_s = cost_s;
       lacking = without_room(found.ways);
       idle = 0;
-    } else if (++idle >= kPatience && lacking == 0) {
+    } else if (++idle >= kPatience && lacking == 0 && shallow) {
       break;
     }
     tour = found_order(costs, costs.neighbours(), settled, order::Effort::kAgain);
