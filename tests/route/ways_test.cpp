@@ -170,6 +170,40 @@ Tracks random_tracks(std::mt19937_64& random, double width_m) {
   return out;
 }
 
+/// Random tracks and all it takes to find ways between them. Its members refer to one another.
+struct TracksToJoin {
+  explicit TracksToJoin(std::mt19937_64& random)
+      : machine(machine_without_overhang(random)),
+        tracks(random_tracks(random, machine.width_m)),
+        land({{tracks.field.outer, {}}}),
+        ground(land, tracks.field, machine, tracks.body),
+        roadmap(
+            [this] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
+            ground),
+        connector(ground, roadmap, {}),
+        least(machine) {
+    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
+  }
+  TracksToJoin(const TracksToJoin&) = delete;
+  TracksToJoin& operator=(const TracksToJoin&) = delete;
+
+  static Machine machine_without_overhang(std::mt19937_64& random) {
+    Machine out;
+    out.width_m = uniform(random, 3, 7);
+    out.radius_m = uniform(random, 3, 7);
+    return out;
+  }
+
+  Machine machine;
+  Tracks tracks;
+  AllowedLand land;
+  DrivingGround ground;
+  RoadmapOnDemand roadmap;
+  Connector connector;
+  std::vector<RouteLine> lines;
+  LeastSeconds least;
+};
+
 double seconds_of(const TrackTour& tour) {
   double out = 0;
   for (const Way& way : tour.ways) out += way.cost_s;
@@ -209,20 +243,8 @@ TEST(DrivenForward, LeavesOutWhatWasBackedOver) {
 TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
   int dearer = 0, without_room = 0;
   for_each_seed(200, [&](std::mt19937_64& random, int) {
-    Machine machine;
-    machine.width_m = uniform(random, 3, 7);
-    machine.radius_m = uniform(random, 3, 7);
-    const Tracks tracks = random_tracks(random, machine.width_m);
-    const AllowedLand land({{tracks.field.outer, {}}});
-    const DrivingGround ground(land, tracks.field, machine, tracks.body);
-    RoadmapOnDemand roadmap(
-        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
-        ground);
-    const Connector connector(ground, roadmap, {});
-    std::vector<RouteLine> lines;
-    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
-    const LeastSeconds least(machine);
-    KnownCosts costs(lines, connector, least);
+    const TracksToJoin scene(random);
+    KnownCosts costs(scene.lines, scene.connector, scene.least);
     const order::End a = 1, b = 3, c = 5;  // where the first three tracks end
     costs.expect_more();
     const double foreseen_s = costs.between(a, b), other_s = costs.between(a, c);
@@ -245,28 +267,16 @@ TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
 TEST(WithWays, OneSenseIsEnoughForABar) {
   double one_s = 0, both_s = 0;
   for_each_seed(60, [&](std::mt19937_64& random, int) {
-    Machine machine;
-    machine.width_m = uniform(random, 3, 7);
-    machine.radius_m = uniform(random, 3, 7);
-    const Tracks tracks = random_tracks(random, machine.width_m);
-    const AllowedLand land({{tracks.field.outer, {}}});
-    const DrivingGround ground(land, tracks.field, machine, tracks.body);
-    RoadmapOnDemand roadmap(
-        [&] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
-        ground);
-    const Connector connector(ground, roadmap, {});
-    std::vector<RouteLine> lines;
-    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
-    const LeastSeconds least(machine);
-    KnownCosts costs(lines, connector, least);
+    const TracksToJoin scene(random);
+    KnownCosts costs(scene.lines, scene.connector, scene.least);
     order::Tour tour;
-    for (std::size_t i = 0; i < lines.size(); ++i) tour.push_back(2 * i + i % 2);
+    for (std::size_t i = 0; i < scene.lines.size(); ++i) tour.push_back(2 * i + i % 2);
     for (int swaps = any_of(random, 0, 2); swaps > 0; --swaps)
       std::swap(tour[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(tour.size()) - 1))],
                 tour.front());
     const TrackTour one = with_ways(tour, Senses::kCostTheSame, costs),
                     both = with_ways(tour, Senses::kDiffer, costs);
-    EXPECT_EQ(one.ways.size() + 1, lines.size());
+    EXPECT_EQ(one.ways.size() + 1, scene.lines.size());
     EXPECT_EQ(lacking(one), lacking(both));
     EXPECT_LE(seconds_of(one), 1.1 * seconds_of(both) + 1);
     one_s += seconds_of(one);
