@@ -7,6 +7,7 @@
 
 #include "tramline/cost/bound/detour_length.h"
 #include "tramline/cost/bound/joined_intervals.h"
+#include "tramline/cost/bound/ring_in_strip.h"
 #include "tramline/cost/bound/swath_edge.h"
 #include "tramline/cost/tolerances.h"
 
@@ -20,81 +21,6 @@ constexpr double kOffCircle_share = 0.05;
 
 bool contains_point(const Box& box, Point p) {
   return box.min_x <= p.x && p.x <= box.max_x && box.min_y <= p.y && p.y <= box.max_y;
-}
-
-/// Extent along of the part of a ring between two coordinates across. Empty (from > to) where there is none.
-Interval extent_along(const Ring& ring, double left, double right) {
-  Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    if (std::max(from.x, b.x) < left || std::min(from.x, b.x) > right) continue;
-    for (const Point end : {from, b}) {
-      const double x = std::clamp(end.x, left, right);
-      const double y = from.x == b.x ? end.y : from.y + (b.y - from.y) * ((x - from.x) / (b.x - from.x));
-      out = {std::min(out.from, y), std::max(out.to, y)};
-    }
-  }
-  return out;
-}
-
-/// The corners of a ring in some rows, and the points where it enters and leaves them.
-std::vector<Point> corners_in(const Ring& ring, const Interval& rows) {
-  std::vector<Point> out;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    if (std::max(from.y, b.y) < rows.from || std::min(from.y, b.y) > rows.to) continue;
-    for (const Point end : {from, b}) {
-      const double y = std::clamp(end.y, rows.from, rows.to);
-      out.push_back({from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y)), y});
-    }
-  }
-  return out;
-}
-
-/// Whether a ring has no bays along the tracks: what a strip holds of its inside is connected then, and is in
-/// the way of the strip's track in one gap.
-bool has_no_bays(const Ring& ring) {
-  int turns = 0, sense = 0, first = 0;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const double dx = b.x - a.x;
-    a = b;
-    if (dx == 0) continue;
-    const int now = dx > 0 ? 1 : -1;
-    if (sense == 0) first = now;
-    turns += sense != 0 && now != sense ? 1 : 0;
-    sense = now;
-  }
-  return turns + (sense != first ? 1 : 0) <= 2;
-}
-
-/// The ends of what a ring has of its edges within a box.
-std::vector<Point> ends_within(const Ring& ring, const Box& box) {
-  std::vector<Point> out;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    double first = 0, last = 1;  // shares of the edge
-    const auto clip = [&](double start, double end, double low, double high) {
-      if (start == end) {
-        if (start < low || start > high) last = -1;
-        return;
-      }
-      const double at_low = (low - start) / (end - start), at_high = (high - start) / (end - start);
-      first = std::max(first, std::min(at_low, at_high));
-      last = std::min(last, std::max(at_low, at_high));
-    };
-    clip(from.x, b.x, box.min_x, box.max_x);
-    clip(from.y, b.y, box.min_y, box.max_y);
-    if (first > last) continue;
-    for (const double share : {first, last}) out.push_back(from + share * (b - from));
-  }
-  return out;
 }
 
 /// The least length of track over which a path comes back to it, from `aside_m` beside it and along an arc.

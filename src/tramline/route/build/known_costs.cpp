@@ -34,8 +34,7 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
       connector_(connector),
       least_(least),
       backing_s_(2 * lines.size(), 0),
-      more_s_(2 * lines.size(), 0),
-      knows_(2 * lines.size(), false),
+      more_s_(2 * lines.size()),
       at_start_(2 * lines.size(), 0),
       at_finish_(2 * lines.size(), 0) {
   const DrivingGround& ground = connector.ground();
@@ -80,7 +79,8 @@ double KnownCosts::one_way(order::End left, order::End entered) const {
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return cost_of(found->second);
   const double least_s = estimate(left, entered);
-  return expects_more_ ? least_s + kOfEachEnd * (more_s_[left] + more_s_[entered]) : least_s;
+  if (!expects_more_) return least_s;
+  return least_s + kOfEachEnd * (more_s_[left].value_or(0) + more_s_[entered].value_or(0));
 }
 
 double KnownCosts::between(order::End a, order::End b) const {
@@ -127,10 +127,7 @@ void KnownCosts::expect_more() {
 }
 
 void KnownCosts::learn(order::End left, order::End entered, double more_s) {
-  for (const order::End end : {left, entered}) {
-    more_s_[end] = knows_[end] ? std::min(more_s_[end], more_s) : more_s;
-    knows_[end] = true;
-  }
+  for (const order::End end : {left, entered}) more_s_[end] = std::min(more_s_[end].value_or(more_s), more_s);
 }
 
 }  // namespace tramline

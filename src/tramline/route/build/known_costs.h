@@ -82,9 +82,8 @@ class KnownCosts final : public order::EndCosts {
   order::Neighbours looked_at_;
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
   bool expects_more_ = false;
-  /// By end: the least that a way found costs more than estimated; 0 until then.
-  std::vector<double> more_s_;
-  std::vector<bool> knows_;  ///< by end: whether one was found
+  /// By end: the least that a way found costs more than estimated.
+  std::vector<std::optional<double>> more_s_;
   std::vector<double> at_start_;
   std::vector<double> at_finish_;
   std::unordered_map<std::uint64_t, Way> ways_;
