@@ -11,7 +11,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace one_definition_test {
 
 using Names = std::vector<std::string>;
 
@@ -42,5 +42,5 @@ TEST(OneDefinition, NoTwoHeadersDefineOneQualifiedName) {
     if (paths.size() > 1) ADD_FAILURE() << name << " is defined in " << paths[0] << " and in " << paths[1];
 }
 
-}  // namespace
+}  // namespace one_definition_test
 }  // namespace tramline::architecture

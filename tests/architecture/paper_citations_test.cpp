@@ -17,7 +17,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace paper_citations_test {
 
 enum class Part { kSection, kEquation, kFigure, kTable, kAlgorithm };
 
@@ -384,5 +384,5 @@ TEST(PapersPage, EveryRowHasOneOfTheStates) {
   EXPECT_GE(rows, 100U);
 }
 
-}  // namespace
+}  // namespace paper_citations_test
 }  // namespace tramline::architecture

@@ -11,7 +11,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace preconditions_test {
 
 /// Headers none of whose preconditions are asserted, each with the reason.
 const std::map<std::string, std::string> kNotAsserted = {
@@ -66,5 +66,5 @@ TEST(Preconditions, AreAssertedOrOnTheList) {
   EXPECT_EQ(excused.size(), kNotAsserted.size()) << "the list names a header that states no precondition";
 }
 
-}  // namespace
+}  // namespace preconditions_test
 }  // namespace tramline::architecture

@@ -12,7 +12,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace rooms_test {
 
 using Names = std::set<std::string>;
 
@@ -107,5 +107,5 @@ TEST(PublicHeaders, AreFewAndStandForThemselves) {
       EXPECT_EQ(headers.count(other), 1U) << header << " includes " << other << ", which is not installed";
 }
 
-}  // namespace
+}  // namespace rooms_test
 }  // namespace tramline::architecture

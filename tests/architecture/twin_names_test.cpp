@@ -13,7 +13,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace twin_names_test {
 
 using Names = std::set<std::string>;
 
@@ -84,5 +84,5 @@ TEST(TwinNames, ThereAreNone) {
   EXPECT_EQ(known, by_nature.size()) << "an exception is none any more";
 }
 
-}  // namespace
+}  // namespace twin_names_test
 }  // namespace tramline::architecture

@@ -12,7 +12,7 @@
 #include "architecture/source_tree.h"
 
 namespace tramline::architecture {
-namespace {
+namespace web_imports_test {
 
 using Names = std::set<std::string>;
 
@@ -67,5 +67,5 @@ TEST(WebImports, MakeNoCircle) {
   for (const std::string& path : modules) visit(path);
 }
 
-}  // namespace
+}  // namespace web_imports_test
 }  // namespace tramline::architecture

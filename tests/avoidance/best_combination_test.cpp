@@ -6,7 +6,7 @@
 #include "avoidance/pole_field.h"
 
 namespace tramline {
-namespace {
+namespace best_combination_test {
 
 using namespace testing_poles;
 
@@ -87,5 +87,5 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
 
 // The field is its own mirror image about the middle of strip 3, and so is the pole.
 
-}  // namespace
+}  // namespace best_combination_test
 }  // namespace tramline

@@ -13,7 +13,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace choose_detours_test {
 
 using namespace testing_poles;
 
@@ -408,5 +408,5 @@ TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
   EXPECT_GT(looked_at, 0);
 }
 
-}  // namespace
+}  // namespace choose_detours_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {
-namespace {
+namespace cost_causes_test {
 
 constexpr double kWidth = 3;
 // Edges lie on strip lines up to the width tolerance.
@@ -179,5 +179,5 @@ TEST(CostCauses, SumToTheTallyWhateverRounds) {
   EXPECT_NEAR(causes.uncovered_rounding_m2, 0, 1e-6);
 }
 
-}  // namespace
+}  // namespace cost_causes_test
 }  // namespace tramline

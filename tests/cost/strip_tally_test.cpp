@@ -8,7 +8,7 @@
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {
-namespace {
+namespace strip_tally_test {
 
 constexpr double kWidth = 3;
 
@@ -111,5 +111,5 @@ TEST(Cost, IsTheWeightedSum) {
   EXPECT_NEAR(cost(Objective{99999, 1, 1, 0}, tally), 99999 * 100 + 50 + 10, 1e-6);
 }
 
-}  // namespace
+}  // namespace strip_tally_test
 }  // namespace tramline

@@ -10,7 +10,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace whole_tally_test {
 
 constexpr double kWidth = 3;
 
@@ -126,5 +126,5 @@ TEST(WholeTally, OfAnyWorksIsThatOfBooleans) {
   });
 }
 
-}  // namespace
+}  // namespace whole_tally_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 
 namespace tramline {
-namespace {
+namespace zhou_tally_test {
 
 LaidPiece piece_along(const std::vector<Point>& line) {
   LaidPiece out;
@@ -56,5 +56,5 @@ TEST(ZhouTally, CountsWhatOneSwathWorksTwice) {
   expect_identity(tally, 1600);
 }
 
-}  // namespace
+}  // namespace zhou_tally_test
 }  // namespace tramline

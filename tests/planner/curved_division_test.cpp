@@ -11,7 +11,7 @@
 #include "tramline/planner/search/merge_pairs.h"
 
 namespace tramline {
-namespace {
+namespace curved_division_test {
 
 constexpr double kInner_m = 60, kOuter_m = 84;
 constexpr int kChords = 60;
@@ -131,5 +131,5 @@ TEST(JoinPairs, TakesThePairThatSavesMostAgainAndAgain) {
   EXPECT_EQ(looked.asked.size(), 6U + 2U + 1U);
 }
 
-}  // namespace
+}  // namespace curved_division_test
 }  // namespace tramline

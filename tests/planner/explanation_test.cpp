@@ -13,7 +13,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace explanation_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -252,5 +252,5 @@ TEST(TradeOff, RefusesTracksThatAreNotStraight) {
   EXPECT_TRUE(mentions(refusal_of([&] { trade_off(l_shape(), {}, {}, settings, 1); }), "as in the paper"));
 }
 
-}  // namespace
+}  // namespace explanation_test
 }  // namespace tramline

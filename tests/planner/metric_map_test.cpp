@@ -17,7 +17,7 @@
 #include "tramline/planner/prepare_field.h"
 
 namespace tramline {
-namespace {
+namespace metric_map_test {
 
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
@@ -411,5 +411,5 @@ TEST(MetricMap, ALineAllRoundThatSmoothingLeavesNothingOfIsRefused) {
   EXPECT_FALSE(reference_along(task, {{0, 0}, {60, 20}, {100, 0}}, 6).round);
 }
 
-}  // namespace
+}  // namespace metric_map_test
 }  // namespace tramline

@@ -9,7 +9,7 @@
 #include "tramline/geometry/error.h"
 
 namespace tramline {
-namespace {
+namespace plan_field_test {
 
 Field rectangle(double width, double height) {
   Field field;
@@ -155,5 +155,5 @@ TEST(DrivingOrder, GoesUpAndDown) {
     EXPECT_NEAR(distance(plan.pieces[i - 1].end, plan.pieces[i].start), 3, 1e-9) << i;
 }
 
-}  // namespace
+}  // namespace plan_field_test
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
-namespace {
+namespace prepare_field_test {
 
 Ring box(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
@@ -120,5 +120,5 @@ TEST(PrepareField, TellsWhereTheClearanceTakesAll) {
   }
 }
 
-}  // namespace
+}  // namespace prepare_field_test
 }  // namespace tramline

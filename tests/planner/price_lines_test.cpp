@@ -15,7 +15,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace price_lines_test {
 
 constexpr double kWidth = 4;
 constexpr double kField_m2 = 60 * 40;
@@ -301,5 +301,5 @@ TEST(PriceLines, AClosedTrackKeepsItsArcs) {
   EXPECT_NEAR(plan.tally.overlap_m2, 0, 5e-4);
 }
 
-}  // namespace
+}  // namespace price_lines_test
 }  // namespace tramline

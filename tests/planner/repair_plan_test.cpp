@@ -13,7 +13,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace repair_plan_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -251,5 +251,5 @@ TEST(RepairPlan, AnAngleIsWorkedAlongBothArms) {
   EXPECT_LT(done.plan.tally.track_length_m, 101);
 }
 
-}  // namespace
+}  // namespace repair_plan_test
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace subfields_test {
 
 const Machine kMachine{"", 6, 6, -1};
 
@@ -72,5 +72,5 @@ TEST(Subfields, DirectionsOfNeighboursDifferByTheMergeThreshold) {
   }
 }
 
-}  // namespace
+}  // namespace subfields_test
 }  // namespace tramline

@@ -13,7 +13,7 @@
 #include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
-namespace {
+namespace sweep_search_test {
 
 std::vector<LinedSubfield> driven(const SearchTask& task, double degrees) {
   return {{{task.ground.plannable.front(), Direction::clockwise_from_north(Angle::degrees(degrees))}, 0}};
@@ -111,5 +111,5 @@ TEST(SweepSearch, CountsCandidatesWithoutDetours) {
   EXPECT_EQ(sweep_limits(task, swept, 20).without_detours, 0);
 }
 
-}  // namespace
+}  // namespace sweep_search_test
 }  // namespace tramline

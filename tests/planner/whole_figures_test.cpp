@@ -13,7 +13,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace whole_figures_test {
 
 Field field_of(Ring outer) {
   Field field;
@@ -128,5 +128,5 @@ TEST(WholeFigures, TheBoundDoesNotExceedTheCost) {
   }
 }
 
-}  // namespace
+}  // namespace whole_figures_test
 }  // namespace tramline

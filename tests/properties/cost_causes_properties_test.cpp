@@ -15,7 +15,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace cost_causes_properties_test {
 
 using testing::case_count;
 using testing::Scene;
@@ -145,5 +145,5 @@ TEST(CostCausesProperties, PartTheTallyOfPlansAmongObstacles) {
   });
 }
 
-}  // namespace
+}  // namespace cost_causes_properties_test
 }  // namespace tramline

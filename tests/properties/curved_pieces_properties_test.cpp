@@ -24,7 +24,7 @@
 #include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
-namespace {
+namespace curved_pieces_properties_test {
 
 struct Scene {
   Region body;  ///< with holes
@@ -34,7 +34,7 @@ struct Scene {
 };
 
 /// A chain of the outer ring's edges as reference; nullopt where the machine cannot drive it.
-std::optional<Scene> random_scene(std::mt19937_64& random) {
+std::optional<Scene> curved_scene(std::mt19937_64& random) {
   const Field field = testing::random_field(random, 3);
   Scene out;
   out.limits = {uniform(random, 2, 8), uniform(random, 2, 8)};
@@ -90,7 +90,7 @@ void for_random_scenes(int standard, Check check) {
   const int cases = testing::case_count(standard);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
-    const std::optional<Scene> scene = random_scene(random);
+    const std::optional<Scene> scene = curved_scene(random);
     if (!scene) continue;
     ++drivable;
     check(*scene, random);
@@ -279,5 +279,5 @@ TEST(CurvedPieces, LandBesideTheSubfieldStaysUncovered) {
   EXPECT_FALSE(plain_candidate(task, ground, subfield, {499}).works());
 }
 
-}  // namespace
+}  // namespace curved_pieces_properties_test
 }  // namespace tramline

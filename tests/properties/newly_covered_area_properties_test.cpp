@@ -14,7 +14,7 @@
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace newly_covered_area_properties_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Box kEverywhere{-kInfinity, -kInfinity, kInfinity, kInfinity};
@@ -236,5 +236,5 @@ TEST(LayeredAreaProperties, OfABandAloneIsItsWidthTimesItsLength) {
   });
 }
 
-}  // namespace
+}  // namespace newly_covered_area_properties_test
 }  // namespace tramline

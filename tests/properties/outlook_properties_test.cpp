@@ -14,7 +14,7 @@
 #include "tramline/planner/search/sweep_search.h"
 
 namespace tramline {
-namespace {
+namespace outlook_properties_test {
 
 using testing::Scene;
 
@@ -119,5 +119,5 @@ TEST(Outlook, CountsTheTracksThatAPondCuts) {
   EXPECT_LE(outlook.least, candidate_on(task, {{whole, 0}}).cost());
 }
 
-}  // namespace
+}  // namespace outlook_properties_test
 }  // namespace tramline

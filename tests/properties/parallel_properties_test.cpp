@@ -19,7 +19,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace parallel_properties_test {
 
 constexpr Box kWindow{-80, -80, 80, 80};
 
@@ -211,5 +211,5 @@ TEST(ParallelProperties, RunWherePolygonBooleansPutThem) {
   EXPECT_GT(compared, 100);
 }
 
-}  // namespace
+}  // namespace parallel_properties_test
 }  // namespace tramline

@@ -15,7 +15,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace plan_properties_test {
 
 using testing::base_seed;
 using testing::case_count;
@@ -298,5 +298,5 @@ TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
   });
 }
 
-}  // namespace
+}  // namespace plan_properties_test
 }  // namespace tramline

@@ -15,8 +15,6 @@ double uniform(std::mt19937_64& random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
 }
 
-double on_grid(double value) { return std::round(value / kGridSize) * kGridSize; }
-
 Field transformed(Field field, const std::function<Point(Point)>& move) {
   const auto apply = [&move](Ring& ring) {
     for (Point& p : ring) p = move(p);
@@ -30,6 +28,8 @@ Field transformed(Field field, const std::function<Point(Point)>& move) {
 }
 
 }  // namespace
+
+double on_grid(double value) { return std::round(value / kGridSize) * kGridSize; }
 
 Ring random_star(std::mt19937_64& random, Point centre, double least_radius, double most_radius,
                  int corners) {

@@ -7,6 +7,9 @@
 
 namespace tramline::testing {
 
+/// The nearest coordinate on the planner's precision grid.
+double on_grid(double value);
+
 /// A star-shaped ring round `centre`: corners at increasing angles, radii between the two bounds.
 /// Coordinates lie on the planner's precision grid. Counter-clockwise.
 Ring random_star(std::mt19937_64& random, Point centre, double least_radius, double most_radius, int corners);

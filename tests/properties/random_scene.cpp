@@ -31,8 +31,6 @@ class Dice {
   std::mt19937_64& random_;
 };
 
-double on_grid(double value) { return std::round(value / kGridSize) * kGridSize; }
-
 Ring placed(Ring ring, double angle, Point at) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (Point& p : ring) p = {on_grid(at.x + c * p.x - s * p.y), on_grid(at.y + s * p.x + c * p.y)};

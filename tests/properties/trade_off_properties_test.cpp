@@ -10,7 +10,7 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
-namespace {
+namespace trade_off_properties_test {
 
 using testing::base_seed;
 using testing::case_count;
@@ -61,5 +61,5 @@ TEST(TradeOffProperties, NothingIsDominatedAndThePlanIsNoCheaper) {
   EXPECT_GT(compared, cases / 2);
 }
 
-}  // namespace
+}  // namespace trade_off_properties_test
 }  // namespace tramline

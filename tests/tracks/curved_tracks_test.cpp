@@ -13,7 +13,7 @@
 #include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
-namespace {
+namespace curved_tracks_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 3;
@@ -143,5 +143,5 @@ TEST(TracksOver, AreThoseThatReachPlacesOfTheBox) {
   }
 }
 
-}  // namespace
+}  // namespace curved_tracks_test
 }  // namespace tramline

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace tramline {
-namespace {
+namespace laid_pieces_test {
 
 constexpr double kWidth = 3;
 
@@ -182,5 +182,5 @@ TEST(PassableObstacles, DoNotExcuseAnObstacleInTheGap) {
   EXPECT_TRUE(tracks.pieces[1].stop_at_from);
 }
 
-}  // namespace
+}  // namespace laid_pieces_test
 }  // namespace tramline

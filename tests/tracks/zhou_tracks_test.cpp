@@ -13,7 +13,7 @@
 #include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
-namespace {
+namespace zhou_tracks_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -134,5 +134,5 @@ TEST(RecursiveTracks, OfAStraightLineAreStraightStrips) {
   EXPECT_GT(compared, 1000);
 }
 
-}  // namespace
+}  // namespace zhou_tracks_test
 }  // namespace tramline

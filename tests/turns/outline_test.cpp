@@ -13,7 +13,7 @@
 #include "tramline/turns/outline/swept_reach.h"
 
 namespace tramline {
-namespace {
+namespace outline_test {
 
 constexpr double kPi = std::numbers::pi;
 const Pose kOrigin{{0, 0}, Heading::clockwise_from_north(Angle::degrees(0))};
@@ -224,5 +224,5 @@ TEST(EvenMotion, OfAClothoidIsWithinItsBounds) {
   EXPECT_GT(worst, 0.5) << "the bound is far from what it bounds";
 }
 
-}  // namespace
+}  // namespace outline_test
 }  // namespace tramline

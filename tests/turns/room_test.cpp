@@ -10,7 +10,7 @@
 #include "tramline/turns/room/places_off.h"
 
 namespace tramline {
-namespace {
+namespace room_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 6;
@@ -210,5 +210,5 @@ TEST(PlacesOff, AreThoseBeyondTheEdges) {
   EXPECT_TRUE(places_off(land.edges(), joined(kNorthwards, {{2.5, 0}}), outline_of(bar(4)), 0.1).empty());
 }
 
-}  // namespace
+}  // namespace room_test
 }  // namespace tramline

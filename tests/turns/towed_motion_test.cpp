@@ -11,7 +11,7 @@
 #include "tramline/turns/outline/swept_reach.h"
 
 namespace tramline {
-namespace {
+namespace towed_motion_test {
 
 constexpr double kPi = std::numbers::pi;
 const Pose kNorthwards{{0, 0}, Heading::clockwise_from_north(Angle::degrees(0))};
@@ -190,5 +190,5 @@ TEST(RunIn, AfterAPathIsThatOfItsLastAngle) {
   EXPECT_NEAR(std::abs(lateral_error_m(path, outline, way)), 0.05, 1e-12);
 }
 
-}  // namespace
+}  // namespace towed_motion_test
 }  // namespace tramline

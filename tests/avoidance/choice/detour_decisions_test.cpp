@@ -6,7 +6,7 @@
 #include "tramline/avoidance/least_cost_with_detours.h"
 
 namespace tramline {
-namespace {
+namespace detour_decisions_test {
 
 using namespace testing_poles;
 
@@ -57,5 +57,5 @@ TEST(DetourDecisions, ForgetWhatWasChosenBefore) {
   }
 }
 
-}  // namespace
+}  // namespace detour_decisions_test
 }  // namespace tramline

@@ -15,7 +15,7 @@
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace track_choice_test {
 
 using testing_poles::rectangle;
 
@@ -198,5 +198,5 @@ TEST(TrackChoice, AmongEqualsHasFewerCuts) {
   EXPECT_EQ(choice->detours.size(), 1u);
 }
 
-}  // namespace
+}  // namespace track_choice_test
 }  // namespace tramline

@@ -12,7 +12,7 @@
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace track_options_test {
 
 using testing_poles::PoleField;
 using testing_poles::rectangle;
@@ -192,5 +192,5 @@ TEST_F(ValuedOptions, AreFarTooExpensiveFromThreeTimesTheCutsOn) {
   EXPECT_FALSE(can_be_pruned(blocked_.options[0], terms, field_.task().families, ground_));
 }
 
-}  // namespace
+}  // namespace track_options_test
 }  // namespace tramline

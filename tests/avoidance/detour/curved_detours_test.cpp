@@ -17,7 +17,7 @@
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
-namespace {
+namespace curved_detours_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -303,5 +303,5 @@ TEST(CurvedTracksAndPassables, AreCrossed) {
   EXPECT_TRUE(encounters_in(laid.task(), laid_out).empty());
 }
 
-}  // namespace
+}  // namespace curved_detours_test
 }  // namespace tramline

@@ -15,7 +15,7 @@
 #include "tramline/avoidance/obstacles/hazards.h"
 
 namespace tramline {
-namespace {
+namespace detour_path_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -369,5 +369,5 @@ TEST(CircleOf, FewCornersCornersAndHalvesAreNoCircles) {
   EXPECT_FALSE(circle_of(cut));
 }
 
-}  // namespace
+}  // namespace detour_path_test
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/avoidance/detour/detour_path.h"
 
 namespace tramline {
-namespace {
+namespace goes_round_test {
 
 Ring box(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
@@ -58,5 +58,5 @@ TEST(GoesRound, MirroredToTheRight) {
   EXPECT_FALSE(goes_round(right, box(8, 45, 9, 46)));
 }
 
-}  // namespace
+}  // namespace goes_round_test
 }  // namespace tramline

@@ -12,7 +12,7 @@
 #include "tramline/avoidance/detour/detour_frame.h"
 
 namespace tramline {
-namespace {
+namespace versleijen_detour_test {
 
 using namespace testing_poles;
 
@@ -308,5 +308,5 @@ TEST(VersleijenDetour, IsRefusedWhereItEntersPassableLand) {
       << "on the other side";
 }
 
-}  // namespace
+}  // namespace versleijen_detour_test
 }  // namespace tramline

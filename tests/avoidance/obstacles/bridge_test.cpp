@@ -11,7 +11,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace bridge_test {
 
 using testing_poles::rectangle;
 
@@ -108,5 +108,5 @@ TEST(Bridge, JoinsAllThatIsNearAndNothingElse) {
   }
 }
 
-}  // namespace
+}  // namespace bridge_test
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace obstacle_classification_test {
 
 constexpr double kWidth = 3;
 
@@ -159,5 +159,5 @@ TEST(PassableObstacles, AreTakenOutOfTheBodyButStayPlannable) {
   EXPECT_TRUE(ground.hard.empty());
 }
 
-}  // namespace
+}  // namespace obstacle_classification_test
 }  // namespace tramline

@@ -9,7 +9,7 @@
 #include "avoidance/pole_field.h"
 
 namespace tramline {
-namespace {
+namespace surroundings_test {
 
 using testing_poles::rectangle;
 
@@ -103,5 +103,5 @@ TEST(Surroundings, LieInThePlaneOfTheTracks) {
   EXPECT_EQ(around.boundary, EdgeKind::kHard);
 }
 
-}  // namespace
+}  // namespace surroundings_test
 }  // namespace tramline

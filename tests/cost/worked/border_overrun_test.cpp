@@ -12,7 +12,7 @@
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace border_overrun_test {
 
 constexpr double kWidth = 3;
 
@@ -128,5 +128,5 @@ TEST(BorderOverrun, OfCurvesIsThatOfBooleans) {
   });
 }
 
-}  // namespace
+}  // namespace border_overrun_test
 }  // namespace tramline

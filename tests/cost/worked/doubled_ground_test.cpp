@@ -7,7 +7,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace doubled_ground_test {
 
 constexpr double kWidth = 4;
 // Arcs are drawn with chords half a centimetre off at most, over some 20 m of them.
@@ -82,5 +82,5 @@ TEST(DoubledGround, OfTwoSubfieldsAlongDifferentCurves) {
               kChords_m2);
 }
 
-}  // namespace
+}  // namespace doubled_ground_test
 }  // namespace tramline

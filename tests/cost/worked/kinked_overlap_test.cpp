@@ -5,7 +5,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 
 namespace tramline {
-namespace {
+namespace kinked_overlap_test {
 
 const Region kPlenty{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
 
@@ -49,5 +49,5 @@ TEST(KinkedOverlap, KnowsStraightPieces) {
   EXPECT_NEAR(overlap_by_kinked_piece(body, {{{-1, 7.5}, {10, 7.5}}}, 2)[0], 22 - 15, 1e-9);
 }
 
-}  // namespace
+}  // namespace kinked_overlap_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace tramline {
-namespace {
+namespace piece_overlap_test {
 
 const Direction kEast = Direction::along({0, 0}, {1, 0});
 const Direction kNorth = Direction::along({0, 0}, {0, 1});
@@ -181,5 +181,5 @@ TEST(PieceOverlap, OfACurveBeyondItsSubfieldGoesToTheLaterOneToo) {
   EXPECT_NEAR(back[1], 8, 1e-9);
 }
 
-}  // namespace
+}  // namespace piece_overlap_test
 }  // namespace tramline

@@ -14,7 +14,7 @@
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace swath_union_test {
 
 constexpr double kWidth = 4;
 
@@ -116,5 +116,5 @@ TEST(BandOnCircles, HasTheSameVerticesOnArcsOfOneCircle) {
   EXPECT_NEAR(signed_area(one), std::numbers::pi / 4 * (144 - 64), 10 * std::numbers::pi * 1e-3);
 }
 
-}  // namespace
+}  // namespace swath_union_test
 }  // namespace tramline

@@ -13,7 +13,7 @@
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
-namespace {
+namespace worked_ground_test {
 
 constexpr double kWidth = 3;
 constexpr EndCriterion kCover{false, kWidthTolerance};
@@ -138,5 +138,5 @@ TEST(WorkedGround, IsWhatPolygonBooleansFindWhateverTheFamilies) {
   EXPECT_GT(met, 20) << "scenes that say nothing";
 }
 
-}  // namespace
+}  // namespace worked_ground_test
 }  // namespace tramline

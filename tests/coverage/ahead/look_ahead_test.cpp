@@ -16,7 +16,7 @@
 #include "tramline/geometry/error.h"
 
 namespace tramline {
-namespace {
+namespace look_ahead_test {
 
 using coverage::look_ahead;
 using coverage::Motion;
@@ -327,5 +327,5 @@ TEST(LookAheadProperties, SwitchesAreThoseOfASimulatedDrive) {
   EXPECT_GT(kept, testing::case_count(300) / 4);
 }
 
-}  // namespace
+}  // namespace look_ahead_test
 }  // namespace tramline

@@ -43,9 +43,9 @@ std::vector<Stretch> random_boom(std::mt19937_64& random, double width) {
   return out;
 }
 
-class Driver {
+class Wanderer {
  public:
-  Driver(std::mt19937_64& random, Point start) : random_(random) {
+  Wanderer(std::mt19937_64& random, Point start) : random_(random) {
     step_m_ = std::exp(uniform(random, std::log(0.02), std::log(10)));
     width_m_ = uniform(random, 0.5, 6);
     machine_ = {start, uniform(random, 0, 2 * std::numbers::pi), random_boom(random, width_m_)};
@@ -188,7 +188,7 @@ Drive random_drive(std::mt19937_64& random, int length, double far_m) {
   Drive out;
   out.field = random_region(random, centre);
   out.steps =
-      Driver(random, centre + Point{uniform(random, -20, 20), uniform(random, -20, 20)}).drive(length);
+      Wanderer(random, centre + Point{uniform(random, -20, 20), uniform(random, -20, 20)}).drive(length);
   return out;
 }
 

@@ -18,7 +18,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace tile_coverage_properties_test {
 
 using coverage::TileCoverage;
 using coverage::WorkedStep;
@@ -261,5 +261,5 @@ TEST(TileCoverageProperties, ChangesAddUp) {
   });
 }
 
-}  // namespace
+}  // namespace tile_coverage_properties_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace box_grid_test {
 
 using testing::RandomCase;
 
@@ -101,5 +101,5 @@ TEST(BoxGrid, OfNoBoxesVisitsNone) {
   EXPECT_TRUE(visited(BoxGrid(std::vector<Box>{}), {-1, -1, 1, 1}).empty());
 }
 
-}  // namespace
+}  // namespace box_grid_test
 }  // namespace tramline

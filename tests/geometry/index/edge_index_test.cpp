@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace edge_index_test {
 
 using testing::RandomCase;
 
@@ -74,5 +74,5 @@ TEST(EdgeIndex, ContainsPointsLevelWithCorners) {
   EXPECT_FALSE(diamond.contains({11, 5}));
 }
 
-}  // namespace
+}  // namespace edge_index_test
 }  // namespace tramline

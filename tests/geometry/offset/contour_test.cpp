@@ -6,7 +6,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace contour_test {
 
 using testing::RandomCase;
 
@@ -168,5 +168,5 @@ TEST(Contour, KeepsAwayWhereNoSegmentIsNearer) {
   EXPECT_GT(away, 2000);
 }
 
-}  // namespace
+}  // namespace contour_test
 }  // namespace tramline

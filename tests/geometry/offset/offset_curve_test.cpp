@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace offset_curve_test {
 
 using testing::RandomCase;
 
@@ -172,5 +172,5 @@ TEST(OffsetCurveMeetings, AreWhereTheirChordsCross) {
   EXPECT_GT(met, 40);
 }
 
-}  // namespace
+}  // namespace offset_curve_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include "tramline/geometry/path/smoothed_line.h"
 
 namespace tramline {
-namespace {
+namespace offset_front_test {
 
 using testing::RandomCase;
 
@@ -131,5 +131,5 @@ TEST(OffsetFront, OfBothSidesHoldsThatOfEach) {
   }
 }
 
-}  // namespace
+}  // namespace offset_front_test
 }  // namespace tramline

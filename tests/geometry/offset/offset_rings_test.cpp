@@ -8,7 +8,7 @@
 #include "tramline/geometry/polygon/smallest_disc.h"
 
 namespace tramline {
-namespace {
+namespace offset_rings_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -79,5 +79,5 @@ TEST(SmallestDisc, TouchesTwoOrThree) {
   EXPECT_EQ(smallest_disc({{3, 4}}).radius_m, 0);
 }
 
-}  // namespace
+}  // namespace offset_rings_test
 }  // namespace tramline

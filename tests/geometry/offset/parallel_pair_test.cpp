@@ -7,7 +7,7 @@
 #include "tramline/geometry/path/smoothed_line.h"
 
 namespace tramline {
-namespace {
+namespace parallel_pair_test {
 
 constexpr double kLeg = 200;
 
@@ -102,5 +102,5 @@ TEST(ParallelPair, SkipsBendsThatAreTooTight) {
   expect_intervals(parallel_pair(contour, 24.1, limits, Sides::kRight).stretches, {{0, contour.right_end()}});
 }
 
-}  // namespace
+}  // namespace parallel_pair_test
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace parallel_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -204,5 +204,5 @@ TEST(Parallel, FamilyIsWhatTheTracksAreOneByOne) {
   }
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace tramline

@@ -10,7 +10,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace kinked_line_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -134,5 +134,5 @@ TEST(KinkedLine, CellsAreAsLargeAsTheirPartsOfTheTrackAreLong) {
   }
 }
 
-}  // namespace
+}  // namespace kinked_line_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace measured_path_test {
 
 using testing::RandomCase;
 
@@ -76,5 +76,5 @@ TEST(MeasuredPath, GoesOnByAsMuchAsIsAskedFor) {
   }
 }
 
-}  // namespace
+}  // namespace measured_path_test
 }  // namespace tramline

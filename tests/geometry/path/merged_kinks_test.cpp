@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace merged_kinks_test {
 
 using testing::RandomCase;
 
@@ -124,5 +124,5 @@ TEST(MergedKinks, HasRoomForAllArcsOrAHairpin) {
   EXPECT_GT(hairpins, 10);
 }
 
-}  // namespace
+}  // namespace merged_kinks_test
 }  // namespace tramline

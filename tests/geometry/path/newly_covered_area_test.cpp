@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace tramline {
-namespace {
+namespace newly_covered_area_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -293,5 +293,5 @@ TEST(LayeredArea, PutsUpWithDegenerateShapes) {
   EXPECT_NEAR(newly_covered_area(curves), 8, 1e-12);
 }
 
-}  // namespace
+}  // namespace newly_covered_area_test
 }  // namespace tramline

@@ -8,7 +8,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace path_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -98,5 +98,5 @@ TEST(Path, FindsItsSmallestRadius) {
   EXPECT_NEAR(smallest_radius({{{0, -3}, {0, 0}, 0}, kQuarterLeft}), 2, 1e-12);
 }
 
-}  // namespace
+}  // namespace path_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace segment_frame_test {
 
 using testing::RandomCase;
 
@@ -94,5 +94,5 @@ TEST(SegmentFrame, FindsBackToTheField) {
   }
 }
 
-}  // namespace
+}  // namespace segment_frame_test
 }  // namespace tramline

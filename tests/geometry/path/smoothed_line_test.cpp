@@ -10,7 +10,7 @@
 #include "tramline/geometry/error.h"
 
 namespace tramline {
-namespace {
+namespace smoothed_line_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 6;
@@ -121,5 +121,5 @@ TEST(Smoothed, SaysWhatIsWrongWithTheLine) {
   EXPECT_NE(complaint_about({{0, 0}, {100, 0}, {100, 5}, {0, 5}}).find("vertex "), std::string::npos);
 }
 
-}  // namespace
+}  // namespace smoothed_line_test
 }  // namespace tramline

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace tramline {
-namespace {
+namespace boolean_test {
 
 Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
@@ -60,5 +60,5 @@ TEST(Booleans, LengthInside) {
   EXPECT_NEAR(length_inside({square}, {-5, 5}, {15, 5}), 8, 1e-12);
 }
 
-}  // namespace
+}  // namespace boolean_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace significant_vertices_test {
 
 using testing::RandomCase;
 using Indices = std::vector<std::size_t>;
@@ -83,5 +83,5 @@ TEST(Simplified, IsThePolygonItselfWhereFewerVerticesWouldCross) {
   EXPECT_EQ(simplified(polygon, 0.5), polygon);
 }
 
-}  // namespace
+}  // namespace significant_vertices_test
 }  // namespace tramline

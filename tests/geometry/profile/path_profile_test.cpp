@@ -8,7 +8,7 @@
 #include "tramline/geometry/path/path_between.h"
 
 namespace tramline {
-namespace {
+namespace path_profile_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -91,5 +91,5 @@ TEST(PathProfile, CutsPathsBetweenPositions) {
   EXPECT_EQ(path_between(path, 0, length(path)), path);
 }
 
-}  // namespace
+}  // namespace path_profile_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "geometry/profile/section_cases.h"
 
 namespace tramline {
-namespace {
+namespace section_parts_test {
 
 using testing::Meeting;
 using testing::RandomCase;
@@ -155,5 +155,5 @@ TEST(RightEnds, CrossTheBoundaryWhereTheyEnterAndLeave) {
   EXPECT_GT(crossed, 300);
 }
 
-}  // namespace
+}  // namespace section_parts_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace section_slabs_test {
 
 using testing::Meeting;
 using testing::RandomCase;
@@ -141,5 +141,5 @@ TEST(SectionSlabs, GoOnFromTheSegmentBefore) {
   }
 }
 
-}  // namespace
+}  // namespace section_slabs_test
 }  // namespace tramline

@@ -6,7 +6,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
-namespace {
+namespace strip_fold_test {
 
 using testing::RandomCase;
 
@@ -145,5 +145,5 @@ TEST(StripFold, TakesRegionsAndRingsAlikeAndForgetsTheFoldBefore) {
   }
 }
 
-}  // namespace
+}  // namespace strip_fold_test
 }  // namespace tramline

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 
 namespace tramline {
-namespace {
+namespace strip_grid_test {
 
 using testing::RandomCase;
 
@@ -79,5 +79,5 @@ TEST(StripsOver, OverlapTheBoxByMoreThanTheSlack) {
   }
 }
 
-}  // namespace
+}  // namespace strip_grid_test
 }  // namespace tramline

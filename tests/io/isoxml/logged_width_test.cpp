@@ -12,7 +12,7 @@
 #include "tramline/io/isoxml/time_log.h"
 
 namespace tramline::io {
-namespace {
+namespace logged_width_test {
 
 using testing_logs::header;
 using testing_logs::record;
@@ -263,5 +263,5 @@ TEST(LoggedWidth, ElementsThatContainOneAnotherInACircle) {
   EXPECT_EQ(log.booms.at(static_cast<std::size_t>(log.fixes[0].boom)), (Boom{{2, -2}}));
 }
 
-}  // namespace
+}  // namespace logged_width_test
 }  // namespace tramline::io

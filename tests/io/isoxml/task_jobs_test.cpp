@@ -16,7 +16,7 @@
 #include "tramline/io/log/read_log.h"
 
 namespace tramline {
-namespace {
+namespace task_jobs_test {
 
 using namespace io;
 using testing_logs::header;
@@ -134,5 +134,5 @@ TEST_F(TaskJobs, TracksOfAGpxFileFarApartAreJobs) {
   EXPECT_EQ(read_log(file).fixes.size(), 15U);
 }
 
-}  // namespace
+}  // namespace task_jobs_test
 }  // namespace tramline

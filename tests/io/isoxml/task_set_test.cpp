@@ -17,7 +17,7 @@
 #include "tramline/io/log/read_log.h"
 
 namespace tramline {
-namespace {
+namespace task_set_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -215,5 +215,5 @@ TEST_F(TaskSet, PartfieldsThatCannotBeReadAreTold) {
   EXPECT_REFUSED(read_partfields(path("TASKDATA.XML")));
 }
 
-}  // namespace
+}  // namespace task_set_test
 }  // namespace tramline

@@ -13,7 +13,7 @@
 #include "tramline/io/isoxml/time_log.h"
 
 namespace tramline::io {
-namespace {
+namespace time_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -284,5 +284,5 @@ TEST(TimeLog, TheDeviceThatTellsMoreCounts) {
   EXPECT_TRUE(mentions(log.notes[0], "DVC-1"));
 }
 
-}  // namespace
+}  // namespace time_log_test
 }  // namespace tramline::io

@@ -7,7 +7,7 @@
 #include "tramline/io/land/read_fields.h"
 
 namespace tramline::io {
-namespace {
+namespace guides_test {
 
 using testing_land::pattern;
 using testing_land::task_set;
@@ -141,5 +141,5 @@ TEST_F(Guides, ShapefilesWithTheirOwnCoordinates) {
   EXPECT_TRUE(mentions(one.layers[0].crs, "25832") || mentions(one.layers[0].crs, "zone 32N"));
 }
 
-}  // namespace
+}  // namespace guides_test
 }  // namespace tramline::io

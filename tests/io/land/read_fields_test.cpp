@@ -8,7 +8,7 @@
 #include "support/refusals.h"
 
 namespace tramline::io {
-namespace {
+namespace read_fields_test {
 
 using testing_land::ring;
 using testing_land::task_set;
@@ -104,5 +104,5 @@ TEST_F(ReadFields, OtherFilesAreReadAsTheyAre) {
   EXPECT_EQ(read_fields(query).driver, "GeoJSON");
 }
 
-}  // namespace
+}  // namespace read_fields_test
 }  // namespace tramline::io

@@ -12,7 +12,7 @@
 #include "tramline/io/fixes/most_fixes.h"
 
 namespace tramline::io {
-namespace {
+namespace csv_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -299,5 +299,5 @@ TEST(MostFixes, OneMoreIsRefusedWithTheFigure) {
   }
 }
 
-}  // namespace
+}  // namespace csv_log_test
 }  // namespace tramline::io

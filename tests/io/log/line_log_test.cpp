@@ -13,7 +13,7 @@
 #include "tramline/geometry/error.h"
 
 namespace tramline::io {
-namespace {
+namespace line_log_test {
 
 class LineLogs : public testing_files::Files {
  protected:
@@ -165,5 +165,5 @@ TEST_F(LineLogs, WhatIsNeitherIsRefused) {
   });
 }
 
-}  // namespace
+}  // namespace line_log_test
 }  // namespace tramline::io

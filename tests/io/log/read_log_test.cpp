@@ -15,7 +15,7 @@
 #include "tramline/io/fixes/lines.h"
 
 namespace tramline {
-namespace {
+namespace read_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -137,5 +137,5 @@ TEST_F(ReadLog, OtherFilesAreOneLog) {
   EXPECT_EQ(logs[0].name, "");
 }
 
-}  // namespace
+}  // namespace read_log_test
 }  // namespace tramline

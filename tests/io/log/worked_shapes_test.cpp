@@ -14,7 +14,7 @@
 #include "tramline/io/log/work_word.h"
 
 namespace tramline {
-namespace {
+namespace worked_shapes_test {
 
 using namespace io;
 using testing_support::mentions;
@@ -135,5 +135,5 @@ TEST(ColumnUnits, CountersOfTables) {
   EXPECT_FALSE(table("lon,lat,total_area_ha\n10,52,5\n10,52,5\n").counters.any());
 }
 
-}  // namespace
+}  // namespace worked_shapes_test
 }  // namespace tramline

@@ -16,7 +16,7 @@
 #include "tramline/io/mission/route_texts.h"
 
 namespace tramline::io {
-namespace {
+namespace dji_mission_test {
 
 using testing_mission::plan_with_route;
 
@@ -157,5 +157,5 @@ TEST_F(DjiMission, WaysBetweenPointsAreLongerThanTheDampingAtTheirEnds) {
   }
 }
 
-}  // namespace
+}  // namespace dji_mission_test
 }  // namespace tramline::io

@@ -11,7 +11,7 @@
 #include "tramline/io/mission/route_texts.h"
 
 namespace tramline::io {
-namespace {
+namespace robot_route_test {
 
 using nlohmann::ordered_json;
 using testing_mission::plan_with_route;
@@ -127,5 +127,5 @@ TEST(RobotRoute, YamlHasTheSameInBlocks) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace robot_route_test
 }  // namespace tramline::io

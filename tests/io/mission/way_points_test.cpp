@@ -13,7 +13,7 @@
 #include "tramline/io/mission/mission_items.h"
 
 namespace tramline::io {
-namespace {
+namespace way_points_test {
 
 using testing_mission::plan_with_route;
 
@@ -123,5 +123,5 @@ TEST(Geofence, FallsWhereTheRoutePassesBetweenItsPoints) {
   EXPECT_EQ(fence.notes.size(), 2U);
 }
 
-}  // namespace
+}  // namespace way_points_test
 }  // namespace tramline::io

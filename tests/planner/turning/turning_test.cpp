@@ -14,7 +14,7 @@
 #include "tramline/route/order/skip_pattern.h"
 
 namespace tramline {
-namespace {
+namespace turning_test {
 
 Field rectangle(double width_m, double height_m) {
   Field field;
@@ -159,7 +159,7 @@ TEST(SkipPattern, LeavesOutNoTrackAndJumpsFarEnough) {
     }
 }
 
-class TurnAttack : public testing::Test {
+class TurnAttack : public ::testing::Test {
  protected:
   static Plan sound() { return plan_field(rectangle(200, 120), {"", 3, 6}, {}, headlands_for_turns(4)); }
   static void expect_found(const std::function<void(Plan&)>& attack, check::Rule rule) {
@@ -227,5 +227,5 @@ TEST_F(TurnAttack, AStopConcealedIsFound) {
                           [](const check::Violation& found) { return found.rule == check::Rule::kStops; }));
 }
 
-}  // namespace
+}  // namespace turning_test
 }  // namespace tramline

@@ -26,7 +26,7 @@
 #include "tramline/io/log/read_log.h"
 
 namespace tramline::server {
-namespace {
+namespace live_feed_test {
 
 using namespace testing_drives;
 using std::chrono::milliseconds;
@@ -308,5 +308,5 @@ TEST(FeedSource, AFileThatIsReplacedByALinkIsReadNoMore) {
   EXPECT_EQ(lines, std::vector<std::string>{"first"});
 }
 
-}  // namespace
+}  // namespace live_feed_test
 }  // namespace tramline::server

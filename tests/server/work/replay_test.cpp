@@ -20,7 +20,7 @@
 #include "tramline/io/log/read_log.h"
 
 namespace tramline::server {
-namespace {
+namespace replay_test {
 
 using namespace testing_drives;
 using std::chrono::milliseconds;
@@ -260,5 +260,5 @@ TEST(Replay, RealLogsEndWithWhatEvaluateSays) {
   EXPECT_GE(replayed, 3);
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace tramline::server
