@@ -172,20 +172,38 @@ Tracks random_tracks(std::mt19937_64& random, double width_m) {
 
 /// Random tracks and all it takes to find ways between them. Its members refer to one another.
 struct TracksToJoin {
-  explicit TracksToJoin(std::mt19937_64& random)
+  /// There may be walls round the first track, which nothing gets over.
+  explicit TracksToJoin(std::mt19937_64& random, bool first_is_walled = false)
       : machine(machine_without_overhang(random)),
         tracks(random_tracks(random, machine.width_m)),
-        land({{tracks.field.outer, {}}}),
+        land({{tracks.field.outer, first_is_walled ? walls() : std::vector<Ring>{}}}),
         ground(land, tracks.field, machine, tracks.body),
-        roadmap(
-            [this] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
-            ground),
+        roadmap(new_roadmap()),
         connector(ground, roadmap, {}),
         least(machine) {
     for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
   }
   TracksToJoin(const TracksToJoin&) = delete;
   TracksToJoin& operator=(const TracksToJoin&) = delete;
+
+  /// On both sides of the first track and across its ends, a metre thick.
+  std::vector<Ring> walls() const {
+    const TrackPiece& first = tracks.lines.front().front();
+    const double x = first.start.x, beside_m = 0.7 * machine.width_m;
+    const double south = first.start.y - 2, north = first.end.y + 2;
+    const auto box = [](double from_x, double from_y, double to_x, double to_y) {
+      return Ring{{from_x, from_y}, {from_x, to_y}, {to_x, to_y}, {to_x, from_y}};
+    };
+    return {box(x - beside_m - 1, south, x - beside_m, north),
+            box(x + beside_m, south, x + beside_m + 1, north),
+            box(x - beside_m - 1, south - 1.5, x + beside_m + 1, south - 0.5),
+            box(x - beside_m - 1, north + 0.5, x + beside_m + 1, north + 1.5)};
+  }
+
+  RoadmapOnDemand new_roadmap() const {
+    return {[this] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
+            ground};
+  }
 
   static Machine machine_without_overhang(std::mt19937_64& random) {
     Machine out;
@@ -261,6 +279,57 @@ TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
   });
   EXPECT_GT(dearer, 10);
   std::cout << dearer << " ways dearer than foreseen, " << without_room << " without room\n";
+}
+
+/// What failed searches teach leaves out no way: one that meets a roadmap on which many were made before
+/// finds what the first on a roadmap finds.
+TEST(Connector, LearnsFromWaysWithoutRoomOnlyWhatHolds) {
+  int found = 0, without_room = 0;
+  for_each_seed(12, [&](std::mt19937_64& random, int i) {
+    const TracksToJoin scene(random, i % 2 == 0);
+    for (order::End left = 0; left < 2 * scene.lines.size(); left += 2)
+      for (order::End entered = 1; entered < 2 * scene.lines.size(); entered += 3) {
+        if (order::line_of(left) == order::line_of(entered)) continue;
+        const SteeredPath& from = scene.lines[order::line_of(left)].left_by(left).last;
+        const SteeredPath& to = scene.lines[order::line_of(entered)].entered_by(entered).first;
+        RoadmapOnDemand roadmap = scene.new_roadmap();
+        const Way first = Connector(scene.ground, roadmap, {}).between(from, to),
+                  later = scene.connector.between(from, to);
+        ASSERT_EQ(first.has_room(), later.has_room());
+        EXPECT_EQ(first.cost_s, later.cost_s);
+        EXPECT_EQ(length(first.path), length(later.path));
+        ++(first.has_room() ? found : without_room);
+      }
+  });
+  std::cout << found << " ways with room, " << without_room << " without\n";
+  if (testing::case_count(12) < 12) return;
+  EXPECT_GT(found, 100);
+  EXPECT_GT(without_room, 30);
+}
+
+/// Three ways without room and none with it: no way of that end is expected to have room, until one has.
+TEST(KnownCosts, ExpectNoRoomAtDeadEnds) {
+  int dead = 0, alive = 0;
+  for_each_seed(40, [&](std::mt19937_64& random, int i) {
+    const TracksToJoin scene(random, i % 2 == 0);
+    if (scene.lines.size() < 6) return;
+    KnownCosts costs(scene.lines, scene.connector, scene.least);
+    const order::End end = 1;
+    const double foreseen_s = costs.between(end, 11);
+    bool has_room = false;
+    for (const order::End other : {3U, 5U, 7U}) has_room = costs.way(end, other).has_room() || has_room;
+    if (has_room) {
+      EXPECT_EQ(costs.between(end, 11), foreseen_s);
+      ++alive;
+    } else {
+      EXPECT_GE(costs.between(end, 11), foreseen_s + 1000);
+      ++dead;
+    }
+  });
+  std::cout << dead << " dead ends, " << alive << " others\n";
+  if (testing::case_count(40) < 40) return;
+  EXPECT_GT(dead, 5);
+  EXPECT_GT(alive, 5);
 }
 
 /// Where nothing reaches out, a tour costs about as much from its end: looking at one sense is enough.

@@ -22,6 +22,9 @@ constexpr double kFar_turns = 3, kRoundAbout = 1.5;
 /// What ways cost more than foreseen is due to both of their ends, and less of it to be expected of others.
 constexpr double kOfEachEnd = 0.35;
 
+/// An end is dead where so many ways lack room and none has it.
+constexpr int kDead = 3;
+
 double cost_of(const Way& way) {
   return way.has_room() ? way.cost_s : way.cost_s + kWithoutRoom_s * (1 + way.missing_m);
 }
@@ -35,6 +38,7 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
       least_(least),
       backing_s_(2 * lines.size(), 0),
       more_s_(2 * lines.size()),
+      lacking_(2 * lines.size(), 0),
       at_start_(2 * lines.size(), 0),
       at_finish_(2 * lines.size(), 0) {
   const DrivingGround& ground = connector.ground();
@@ -79,6 +83,7 @@ double KnownCosts::one_way(order::End left, order::End entered) const {
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return cost_of(found->second);
   const double least_s = estimate(left, entered);
+  if (is_dead(left) || is_dead(entered)) return least_s + kWithoutRoom_s;
   if (!expects_more_) return least_s;
   return least_s + kOfEachEnd * (more_s_[left].value_or(0) + more_s_[entered].value_or(0));
 }
@@ -117,7 +122,7 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   between_.clear();
   Way way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
                                lines_[order::line_of(entered)].entered_by(entered).first);
-  if (way.has_room()) learn(left, entered, way.cost_s - estimate(left, entered));
+  learn(left, entered, way);
   return ways_.emplace(key(left, entered), std::move(way)).first->second;
 }
 
@@ -126,8 +131,18 @@ void KnownCosts::expect_more() {
   between_.clear();
 }
 
-void KnownCosts::learn(order::End left, order::End entered, double more_s) {
-  for (const order::End end : {left, entered}) more_s_[end] = std::min(more_s_[end].value_or(more_s), more_s);
+bool KnownCosts::is_dead(order::End end) const { return !more_s_[end] && lacking_[end] >= kDead; }
+
+void KnownCosts::learn(order::End left, order::End entered, const Way& way) {
+  if (way.has_room()) {
+    const double more_s = way.cost_s - estimate(left, entered);
+    for (const order::End end : {left, entered})
+      more_s_[end] = std::min(more_s_[end].value_or(more_s), more_s);
+    return;
+  }
+  const bool left_dead = is_dead(left), entered_dead = is_dead(entered);
+  if (!entered_dead) ++lacking_[left];
+  if (!left_dead) ++lacking_[entered];
 }
 
 }  // namespace tramline

@@ -67,8 +67,9 @@ class KnownCosts final : public order::EndCosts {
   void look_at_nearest();
   double estimate(order::End left, order::End entered) const;
   double one_way(order::End left, order::End entered) const;
-  /// A way with room costs so much more than its estimate.
-  void learn(order::End left, order::End entered, double more_s);
+  /// What a way that was looked for tells of other ways of its ends.
+  void learn(order::End left, order::End entered, const Way& way);
+  bool is_dead(order::End end) const;
   std::uint64_t key(order::End left, order::End entered) const {
     return static_cast<std::uint64_t>(left) * 2 * lines_.size() + entered;
   }
@@ -82,8 +83,9 @@ class KnownCosts final : public order::EndCosts {
   order::Neighbours looked_at_;
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
   bool expects_more_ = false;
-  /// By end: the least that a way found costs more than estimated.
+  /// By end: the least that a way with room costs more than estimated.
   std::vector<std::optional<double>> more_s_;
+  std::vector<int> lacking_;  ///< by end: of its ways to ends that are not dead so many had no room
   std::vector<double> at_start_;
   std::vector<double> at_finish_;
   std::unordered_map<std::uint64_t, Way> ways_;

@@ -19,16 +19,7 @@ bool is_too_long(double turn_m, const std::array<Known, 2>& known) {
 
 }  // namespace
 
-std::size_t ArcRoom::KeyHash::operator()(const Key& key) const {
-  constexpr std::size_t kPrime = 1099511628211U;
-  std::size_t out = 0;
-  for (const double number : key) out = (out ^ std::hash<double>{}(number)) * kPrime;
-  return out;
-}
-
-ArcRoom::AtPose& ArcRoom::at(const Pose& pose) {
-  return known_[{pose.at.x, pose.at.y, pose.heading.angle().radians()}];
-}
+ArcRoom::AtPose& ArcRoom::at(const Pose& pose) { return known_[key_of(pose)]; }
 
 bool ArcRoom::has_room(const SteeredStretch& turn, std::array<Known, 2>& known) const {
   Known& side = known[side_of(turn.curvature_at_start)];

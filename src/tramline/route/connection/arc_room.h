@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "tramline/route/connection/driving_ground.h"
+#include "tramline/route/connection/pose_key.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 
 namespace tramline {
@@ -37,18 +38,13 @@ class ArcRoom {
     std::array<Known, 2> leaving{};  ///< to the right, and to the left
     std::array<Known, 2> entering{};
   };
-  using Key = std::array<double, 3>;
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
-
   AtPose& at(const Pose& pose);
   /// A turn on which the machine leaves a pose, or on which it enters one.
   bool has_room(const SteeredStretch& turn, std::array<Known, 2>& known) const;
   bool has_room(const SteeredPath& path, AtPose& from, AtPose& to) const;
 
   const DrivingGround& ground_;
-  std::unordered_map<Key, AtPose, KeyHash> known_;
+  std::unordered_map<PoseKey, AtPose, PoseHash> known_;
 };
 
 }  // namespace tramline

@@ -1,7 +1,8 @@
 #include "tramline/route/connection/roadmap_ways.h"
 
-#include <functional>
+#include <algorithm>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "tramline/route/connection/way.h"
@@ -12,17 +13,12 @@ namespace {
 
 /// Lines of the roadmap are reached from so far, in radii and widths.
 constexpr double kReach_radii = 4, kReach_widths = 1;
+/// From the roadmap to the end of a way the machine may turn round: words up to the reach and so many
+/// circles.
+constexpr double kLongest_circles = 1;
 /// Between two lines words lead on: no more than this longer than the straight line, and a share of the
 /// radius.
 constexpr double kLeadsOn = 1.25, kLeadsOn_radii = 0.5;
-
-/// What is known under a key, found first where it is not.
-template <class Map, class Find>
-const RoadmapWays::Way* known(Map& map, const typename Map::key_type& key, const Find& find) {
-  auto at = map.find(key);
-  if (at == map.end()) at = map.emplace(key, find()).first;
-  return at->second ? &*at->second : nullptr;
-}
 
 }  // namespace
 
@@ -30,14 +26,19 @@ RoadmapWays::RoadmapWays(Roadmap roadmap, const DrivingGround& ground)
     : roadmap_(std::move(roadmap)),
       ground_(ground),
       reach_m_(kReach_radii * ground.machine().radius_m + kReach_widths * ground.machine().width_m),
-      changes_(roadmap_.poses().size()) {
+      changes_(roadmap_.poses().size()),
+      along_(roadmap_.poses().size()),
+      unreachable_(roadmap_.poses().size()) {
   if (ground.steers_at_once() && !ground.outline().tows()) arc_room_.emplace(ground);
 }
 
+double RoadmapWays::longest_word_m() const {
+  return reach_m_ + kLongest_circles * 2 * std::numbers::pi * ground_.machine().radius_m;
+}
+
 const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
-  std::optional<std::vector<Change>>& out = changes_[pose];
-  if (out) return *out;
-  out.emplace();
+  if (changes_[pose]) return changes_[pose]->changes;
+  std::vector<Change> out;
   const RoadmapPose& from = roadmap_.poses()[pose];
   const double radius_m = ground_.machine().radius_m;
   const Point ahead = from.pose.heading.unit();
@@ -47,9 +48,11 @@ const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
     if (to.line == from.line || dot(way, ahead) <= 0 || dot(way, to.pose.heading.unit()) <= 0) return;
     const double length_m = dubins_length(from.pose, to.pose, radius_m);
     if (length_m <= kLeadsOn * tramline::length(way) + kLeadsOn_radii * radius_m)
-      out->push_back({i, length_m});
+      out.push_back({i, length_m});
   });
-  return *out;
+  std::vector<Found> ways(out.size());
+  changes_[pose] = {std::move(out), std::move(ways)};
+  return changes_[pose]->changes;
 }
 
 std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to, Words words) {
@@ -71,32 +74,47 @@ std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, c
   return std::nullopt;
 }
 
-std::size_t RoadmapWays::PosePairHash::operator()(const PosePair& pair) const {
-  std::size_t out = 0;
-  for (const double number : pair) out = out * 1099511628211U + std::hash<double>{}(number);
-  return out;
-}
-
 const RoadmapWays::Way* RoadmapWays::word(const Pose& from, const Pose& to) {
-  const PosePair key{from.at.x, from.at.y, from.heading.angle().radians(),
-                     to.at.x,   to.at.y,   to.heading.angle().radians()};
-  return known(by_word_, key, [&] { return first_with_room(from, to, Words::kAll); });
+  const PosePairKey key{key_of(from), key_of(to)};
+  auto known = by_word_.find(key);
+  if (known == by_word_.end()) known = by_word_.emplace(key, first_with_room(from, to, Words::kAll)).first;
+  return known->second ? &*known->second : nullptr;
 }
 
-const RoadmapWays::Way* RoadmapWays::change(std::size_t from, std::size_t to) {
-  const std::uint64_t key = static_cast<std::uint64_t>(from) * roadmap_.poses().size() + to;
-  return known(by_change_, key, [&] {
-    return first_with_room(roadmap_.poses()[from].pose, roadmap_.poses()[to].pose, Words::kLeadOn);
-  });
+const RoadmapWays::Way* RoadmapWays::change(std::size_t from, std::size_t number) {
+  ChangesAt& at = *changes_[from];
+  Found& way = at.ways[number];
+  if (!way)
+    way = first_with_room(roadmap_.poses()[from].pose, roadmap_.poses()[at.changes[number].to].pose,
+                          Words::kLeadOn);
+  return *way ? &**way : nullptr;
 }
 
 const RoadmapWays::Way* RoadmapWays::along(std::size_t pose) {
-  return known(along_, pose, [&]() -> std::optional<Way> {
-    const RoadmapPose& from = roadmap_.poses()[pose];
-    if (!ground_.can_follow(from.to_next) || !ground_.has_room_along(from.to_next)) return std::nullopt;
-    const CropDriven how = from.track ? CropDriven::kAlongTrack : CropDriven::kAcross;
-    return Way{from.to_next, cost_seconds(from.to_next, ground_, how)};
+  Found& way = along_[pose];
+  if (!way) way = way_along(roadmap_.poses()[pose]);
+  return *way ? &**way : nullptr;
+}
+
+std::optional<RoadmapWays::Way> RoadmapWays::way_along(const RoadmapPose& from) const {
+  if (!ground_.can_follow(from.to_next) || !ground_.has_room_along(from.to_next)) return std::nullopt;
+  const CropDriven how = from.track ? CropDriven::kAlongTrack : CropDriven::kAcross;
+  return Way{from.to_next, cost_seconds(from.to_next, ground_, how)};
+}
+
+bool RoadmapWays::is_entered(const Pose& end) {
+  const auto [known, is_new] = entered_.try_emplace(key_of(end), false);
+  if (!is_new) return known->second;
+  // Short words are likelier to have room.
+  std::vector<std::pair<double, std::size_t>> words;
+  roadmap_.each_near(end.at, longest_word_m(), [&](std::size_t i) {
+    const double length_m = dubins_length(roadmap_.poses()[i].pose, end, ground_.machine().radius_m);
+    if (length_m <= longest_word_m()) words.emplace_back(length_m, i);
   });
+  std::ranges::sort(words);
+  known->second = std::ranges::any_of(
+      words, [&](const auto& one) { return word(roadmap_.poses()[one.second].pose, end) != nullptr; });
+  return known->second;
 }
 
 }  // namespace tramline

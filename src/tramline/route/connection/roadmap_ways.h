@@ -1,9 +1,7 @@
 #pragma once
 // The ways between poses of a roadmap that have room.
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -11,7 +9,9 @@
 
 #include "tramline/route/connection/arc_room.h"
 #include "tramline/route/connection/driving_ground.h"
+#include "tramline/route/connection/pose_key.h"
 #include "tramline/route/connection/roadmap.h"
+#include "tramline/route/connection/unreachable.h"
 
 namespace tramline {
 
@@ -26,6 +26,9 @@ class RoadmapWays {
   /// Words up to this distance lead to lines of the roadmap, m.
   double reach_m() const { return reach_m_; }
 
+  /// Words to a pose from others of the roadmap are no longer, m.
+  double longest_word_m() const;
+
   /// A shortest Dubins word to a pose of another line.
   struct Change {
     std::size_t to = 0;
@@ -39,32 +42,41 @@ class RoadmapWays {
     SteeredPath path;
     double cost_s = 0;  ///< cost_seconds()
   };
-  /// The first word with room of a change; null where none has. Valid until the next call.
-  const Way* change(std::size_t from, std::size_t to);
+  /// The first word with room of changes(from)[number]; null where none has. Precondition: these were asked
+  /// for.
+  const Way* change(std::size_t from, std::size_t number);
   /// The first word with room between any two poses; null where none has. Valid until the next call.
   const Way* word(const Pose& from, const Pose& to);
-  /// The way along the line to the pose that follows; null where it has no room. Valid until the next call.
+  /// The way along the line to the pose that follows; null where it has no room.
   const Way* along(std::size_t pose);
+
+  /// Whether a word of no more than longest_word_m() with room leads from any pose of the roadmap to this
+  /// one.
+  bool is_entered(const Pose& end);
+  /// What searches over this roadmap have found to lead nowhere.
+  Unreachable& unreachable() { return unreachable_; }
 
  private:
   /// Of the words that lead on; or, between any poses, of all.
   enum class Words { kLeadOn, kAll };
+  std::optional<Way> way_along(const RoadmapPose& from) const;
   std::optional<Way> first_with_room(const Pose& from, const Pose& to, Words words);
-
-  /// x, y and heading of two poses.
-  using PosePair = std::array<double, 6>;
-  struct PosePairHash {
-    std::size_t operator()(const PosePair& pair) const;
-  };
 
   Roadmap roadmap_;
   const DrivingGround& ground_;
   double reach_m_;
   std::optional<ArcRoom> arc_room_{};  ///< where the machine steers at once and tows nothing
-  std::vector<std::optional<std::vector<Change>>> changes_;
-  std::unordered_map<std::uint64_t, std::optional<Way>> by_change_;
-  std::unordered_map<std::size_t, std::optional<Way>> along_;
-  std::unordered_map<PosePair, std::optional<Way>, PosePairHash> by_word_;
+  /// Once it was looked for: a way, or none.
+  using Found = std::optional<std::optional<Way>>;
+  struct ChangesAt {
+    std::vector<Change> changes;
+    std::vector<Found> ways;
+  };
+  std::vector<std::optional<ChangesAt>> changes_;
+  std::vector<Found> along_;
+  std::unordered_map<PosePairKey, std::optional<Way>, PoseHash> by_word_{};
+  std::unordered_map<PoseKey, bool, PoseHash> entered_{};
+  Unreachable unreachable_;
 };
 
 /// The ways of a roadmap that is built when it is first asked for: most fields do without. One object serves
