@@ -5,6 +5,7 @@
 #include "request/field_input.h"
 #include "server/drives/drive_rooms.h"
 #include "server/drives/work_drive.h"
+#include "server/uploads/feature_name.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/log/read_log.h"
 
@@ -44,10 +45,11 @@ std::string partfield_of(App& app, const std::filesystem::path& task_set, const 
   const auto larger = [](const Field& a, const Field& b) { return area_m2(a) < area_m2(b); };
   const auto field = std::max_element(input.fields.begin(), input.fields.end(), larger);
   if (field == input.fields.end()) return "";
+  const std::string name = name_in_file(options.file, field->source.layer, field->source.fid);
   const std::lock_guard lock(app.drives->partfields);
   for (const KeptFieldPtr& kept : app.fields.list())
     if (same(kept->field, *field)) return kept->id;
-  return app.fields.add(*field, field->id, input.skipped)->id;
+  return app.fields.add(*field, name, input.skipped)->id;
 }
 
 }  // namespace tramline::server

@@ -19,10 +19,12 @@ struct NewFields {
 struct FeatureChoice {
   std::optional<long long> fid;
   std::string layer, crs;
+  std::string name;  ///< as its user calls it; empty: as the file does (feature_name.h)
   std::optional<Upload> obstacles;
   std::optional<double> obstacle_size_m;
 };
-/// Throws bad_input where it is refused, or several features match.
+/// Their ids are the name, with " #2" for the second part of the feature. Throws bad_input where it is
+/// refused, or several features match.
 NewFields fields_from(const Upload& upload, const FeatureChoice& choice);
 
 /// A GeoJSON polygon or multipolygon, longitude and latitude. `name` becomes the field's id. Throws

@@ -27,6 +27,7 @@ NewFields new_fields(App& app, const ordered_json& json, const std::string& name
   const JsonInput input(
       json, "", {"upload", "fid", "layer", "crs", "name", "obstacles_upload", "obstacle_size_m", "crop"});
   FeatureChoice choice;
+  choice.name = name;
   choice.fid = input.whole_if("fid");
   choice.layer = input.text_or_none("layer");
   choice.crs = input.text_or_none("crs");
@@ -51,9 +52,7 @@ ordered_json keep_new(App& app, const ordered_json& json) {
   ordered_json others = ordered_json::array();
   KeptFieldPtr first;
   for (const Field& field : found.fields) {
-    const std::string number = field.source.part > 0 ? " #" + std::to_string(field.source.part + 1) : "";
-    const KeptFieldPtr kept =
-        app.fields.add(field, name.empty() ? "" : name + number, found.skipped, name_of(any, "crop"));
+    const KeptFieldPtr kept = app.fields.add(field, field.id, found.skipped, name_of(any, "crop"));
     if (first == nullptr)
       first = kept;
     else

@@ -1,10 +1,13 @@
 #include "server/uploads/feature_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
 
+#include "tramline/io/land/read_fields.h"
 #include "tramline/io/vector/lower_case.h"
 
 namespace tramline::server {
@@ -41,6 +44,26 @@ std::string first_of(const std::map<std::string, std::string>& attributes,
   return "";
 }
 
+io::VectorQuery query_of(const std::string& file, const std::string& layer) {
+  io::VectorQuery out;
+  out.file = file;
+  out.layer = layer;
+  return out;
+}
+
+RawFeature with_attributes(const std::string& file, const std::string& layer, long long fid) {
+  io::VectorQuery query = query_of(file, layer);
+  query.fid = fid;
+  query.every_attribute = true;
+  return io::read_fields(query).layers.front().features.front();
+}
+
+/// Empty where nobody gave it a name.
+std::string given_name(const RawFeature& feature) {
+  std::string name = feature_name(feature.attributes);
+  return name.empty() ? feature.id : name;
+}
+
 }  // namespace
 
 std::string feature_name(const std::map<std::string, std::string>& attributes) {
@@ -50,6 +73,34 @@ std::string feature_name(const std::map<std::string, std::string>& attributes) {
 
 std::string feature_crop(const std::map<std::string, std::string>& attributes) {
   return first_of(attributes, kCrops);
+}
+
+std::string name_in_file(const std::string& file, const std::string& layer, long long fid) {
+  return given_name(with_attributes(file, layer, fid));
+}
+
+std::string name_in_upload(const Upload& upload, const std::string& layer, const RawFeature& feature,
+                           long long in_layer) {
+  if (std::string name = given_name(feature); !name.empty()) return name;
+  const std::string of = id_in_its_name(upload, layer);
+  return in_layer == 1 ? of : fmt::format("{}, field {}", of, feature.fid);
+}
+
+std::string name_in_upload(const Upload& upload, const std::string& layer, long long fid) {
+  const std::string file = upload.path.string();
+  io::VectorQuery one = query_of(file, layer);
+  one.limit = 1;
+  const RawLayer counted = io::read_fields(one).layers.front();
+  return name_in_upload(upload, counted.name, with_attributes(file, counted.name, fid), counted.matching);
+}
+
+std::string with_name(std::string sentence, const std::string& name) {
+  constexpr std::string_view kBefore = "feature '", kAfter = "': ";
+  const std::size_t called = sentence.find(kBefore), begin = called + kBefore.size();
+  if (called == std::string::npos) return sentence;
+  if (const std::size_t end = sentence.find(kAfter, begin); end != std::string::npos)
+    sentence.replace(begin, end - begin, name);
+  return sentence;
 }
 
 }  // namespace tramline::server

@@ -8,6 +8,7 @@
 #include "server/http/page_words.h"
 #include "server/map/few_corners.h"
 #include "server/map/shown_place.h"
+#include "server/uploads/feature_name.h"
 #include "server/uploads/survey.h"
 #include "server/uploads/survey_register.h"
 #include "tramline/geometry/error.h"
@@ -55,7 +56,7 @@ struct Candidate {
   ordered_json shapes = ordered_json::array();
 };
 
-std::map<long long, Candidate> candidates_in(const app::FieldInput& input, const Upload& upload) {
+std::map<long long, Candidate> candidates_in(const app::FieldInput& input) {
   std::map<long long, Candidate> out;
   for (const Field& field : input.fields) {
     Candidate& candidate = out[field.source.fid];
@@ -68,7 +69,7 @@ std::map<long long, Candidate> candidates_in(const app::FieldInput& input, const
   for (const app::Refusal& refusal : input.refusals) {
     Candidate& candidate = out[refusal.fid];
     candidate.id = refusal.field_id;
-    candidate.refused = upload.in_its_name(in_page_words(refusal.sentence));
+    candidate.refused = in_page_words(refusal.sentence);
   }
   return out;
 }
@@ -91,7 +92,7 @@ std::map<long long, RawFeature> attributes_in(const Upload& upload, const std::s
 void add_admitted(const app::FieldInput& input, const Upload& upload, const std::string& layer,
                   ordered_json& features) {
   const std::map<long long, RawFeature> read = attributes_in(upload, layer);
-  for (auto& [fid, candidate] : candidates_in(input, upload)) {
+  for (auto& [fid, candidate] : candidates_in(input)) {
     ordered_json entry{{"fid", fid},
                        {"layer", layer},
                        {"id", id_in_its_name(upload, candidate.id)},
@@ -101,6 +102,8 @@ void add_admitted(const app::FieldInput& input, const Upload& upload, const std:
                        {"rings", {{"type", "MultiPolygon"}, {"coordinates", std::move(candidate.shapes)}}}};
     if (const auto feature = read.find(fid); feature != read.end())
       entry.update(words_of(upload, layer, feature->second, read.size()));
+    if (candidate.refused.is_string())
+      entry["refused"] = upload.in_its_name(with_name(candidate.refused, entry.value("name", candidate.id)));
     features.push_back(std::move(entry));
   }
 }

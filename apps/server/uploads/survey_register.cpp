@@ -1,7 +1,5 @@
 #include "server/uploads/survey_register.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -86,13 +84,7 @@ std::optional<ordered_json> candidate_of(const RawFeature& feature, const Crs& c
 
 ordered_json words_of(const Upload& upload, const std::string& layer, const RawFeature& feature,
                       std::size_t in_layer) {
-  std::string name = feature_name(feature.attributes);
-  if (name.empty()) name = feature.id;
-  if (name.empty()) {
-    const std::string of = id_in_its_name(upload, layer);
-    name = in_layer == 1 ? of : fmt::format("{}, field {}", of, feature.fid);
-  }
-  return {{"name", std::move(name)},
+  return {{"name", name_in_upload(upload, layer, feature, static_cast<long long>(in_layer))},
           {"crop", feature_crop(feature.attributes)},
           {"attributes", feature.attributes}};
 }

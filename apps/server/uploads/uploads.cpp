@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <string_view>
 #include <system_error>
 
@@ -30,7 +31,9 @@ std::string_view extension_of(const std::string& lower_name) {
   return "";
 }
 
+/// Precondition: `from` is not empty.
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  assert(!from.empty());
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
 }
@@ -55,7 +58,10 @@ const char* name(UploadKind kind) {
 
 std::string Upload::in_its_name(std::string sentence) const {
   replace_all(sentence, path.string(), name);
+  // Readers call layers after the file, and features without an id after their layer.
+  if (!id.empty()) replace_all(sentence, id + ":", stem_of(name) + ", field ");
   replace_all(sentence, path.filename().string(), name);
+  if (!id.empty()) replace_all(sentence, id, stem_of(name));
   return sentence;
 }
 

@@ -24,7 +24,8 @@ struct Upload {
   std::size_t bytes = 0;
   UploadKind kind = UploadKind::kUnknown;
 
-  /// A sentence of the library about the path, about the user's file.
+  /// A sentence of the library about the path, about the user's file; "ID:3" becomes "mill field, field 3",
+  /// where the upload has an id.
   std::string in_its_name(std::string sentence) const;
 };
 

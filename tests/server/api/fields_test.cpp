@@ -8,7 +8,7 @@ namespace {
 TEST_F(ServerTest, KeepsAFieldOfAFile) {
   const std::string id = served.field_of("riverside.geojson");
   const Got field = served.get("/fields/" + id);
-  EXPECT_EQ(field.json["name"], "riverside");
+  EXPECT_EQ(field.json["name"], "Riverside");
   EXPECT_EQ(field.json["obstacles"], 7);
   EXPECT_EQ(field.json["geodetic"], true);
   EXPECT_EQ(field.json["shapes"]["features"].size(), 8U);
@@ -36,6 +36,77 @@ TEST_F(ServerTest, ObstaclesOfAnotherFileGoIntoTheField) {
     named =
         named || shape["properties"].value("origin", "").starts_with("riverside-obstacles.geojson feature");
   EXPECT_TRUE(named) << kept.text;
+}
+
+ordered_json feature_at(double west, const ordered_json& properties) {
+  return {{"type", "Feature"}, {"properties", properties}, {"geometry", square(west)}};
+}
+
+Got upload_features(const Served& served, const char* name, const std::vector<ordered_json>& features) {
+  return served.upload(name, ordered_json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+}
+
+TEST_F(ServerTest, FieldsAreStoredUnderTheNameThatTheListOfTheirFileHas) {
+  ordered_json parts = feature_at(9.04, nullptr);
+  parts["geometry"] = {{"type", "MultiPolygon"},
+                       {"coordinates", {square(9.04)["coordinates"], square(9.05)["coordinates"]}}};
+  const Got sent =
+      upload_features(served, "long%20meadow.geojson",
+                      {feature_at(9, nullptr), feature_at(9.01, {{"Schlagname", "Hofwiese"}}),
+                       feature_at(9.02, {{"id", "F7"}}), feature_at(9.03, {{"name", " "}}), parts});
+  const std::vector<std::string> names = {"long meadow, field 0", "Hofwiese", "F7", "long meadow, field 3",
+                                          "long meadow, field 4"};
+  ASSERT_EQ(sent.json["features"].size(), names.size()) << sent.text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(sent.json["features"][i]["name"], names[i]);
+    const Got kept = served.post("/fields", {{"upload", sent.json["id"]}, {"fid", i}});
+    ASSERT_EQ(kept.status, 201) << kept.text;
+    EXPECT_EQ(kept.json["name"], names[i]);
+    if (i != 4) continue;
+    const std::string second = kept.json["others"][0];
+    EXPECT_EQ(served.get("/fields/" + second).json["name"], "long meadow, field 4 #2");
+  }
+  // The only field of a file is called after it, and so are its plan and that plan's files.
+  const Got one = upload_features(served, "mill%20field.geojson", {feature_at(9, nullptr)});
+  const Got kept = served.post("/fields", {{"upload", one.json["id"]}});
+  EXPECT_EQ(kept.json["name"], "mill field");
+  const std::string plan = served.planned(kept.json["id"], {{"route", false}, {"headlands", 1}});
+  EXPECT_EQ(served.get("/plans/" + plan).json["summary"]["field_id"], "mill field");
+  const Got file = served.get("/plans/" + plan + "/files/geojson");
+  EXPECT_NE(file.headers.find("Content-Disposition")->second.find("mill"), std::string::npos)
+      << file.headers.find("Content-Disposition")->second;
+}
+
+TEST_F(ServerTest, RefusalsOfAFileCallItsFieldsByName) {
+  const auto thin = [](const ordered_json& properties) {
+    ordered_json out = feature_at(9, properties);
+    out["geometry"]["coordinates"] = {{{9, 50}, {9, 50}, {9, 50}, {9, 50}}};
+    return out;
+  };
+  const Got sent =
+      upload_features(served, "meadow.geojson",
+                      {thin(nullptr), thin({{"name", "Hofwiese"}, {"id", "F12"}}), feature_at(9, nullptr)});
+  const auto says = [&](const ordered_json& sentence, const std::string& name) {
+    const std::string text = sentence.get<std::string>();
+    EXPECT_NE(text.find("feature '" + name + "'"), std::string::npos) << text;
+    EXPECT_EQ(text.find(sent.json["id"].get<std::string>()), std::string::npos) << text;
+  };
+  says(sent.json["features"][0]["refused"], "meadow, field 0");
+  says(sent.json["features"][1]["refused"], "Hofwiese");
+  const auto refusal = [&](ordered_json request) {
+    request["upload"] = sent.json["id"];
+    const Got got = served.post("/fields", request);
+    EXPECT_EQ(got.status, 400) << got.text;
+    return got.message();
+  };
+  says(refusal({{"fid", 0}}), "meadow, field 0");
+  says(refusal({{"fid", 0}, {"layer", sent.json["features"][0]["layer"]}}), "meadow, field 0");
+  says(refusal({{"fid", 0}, {"name", "Anger"}}), "Anger");
+  says(refusal({{"fid", 1}}), "Hofwiese");
+  const std::string none = refusal({{"fid", 9}}), several = refusal(ordered_json::object());
+  EXPECT_NE(none.find("layer 'meadow'"), std::string::npos) << none;
+  EXPECT_NE(several.find("meadow, field 2"), std::string::npos) << several;
+  EXPECT_EQ(several.find(sent.json["id"].get<std::string>()), std::string::npos) << several;
 }
 
 TEST_F(ServerTest, SeveralFeaturesHaveToBeChosenFrom) {

@@ -178,7 +178,9 @@ TEST_F(Drives, HeadingsThatContradictTheWayAreTold) {
   EXPECT_NEAR(track.at("covered_m2"), right.at("covered_m2"), 0.05 * right.at("covered_m2").get<double>());
 }
 
-std::string task_set_with_partfield(const testing_support::TemporaryFolder& folder) {
+/// `name` is an attribute of the partfield, or nothing.
+std::string task_set_with_partfield(const testing_support::TemporaryFolder& folder,
+                                    const std::string& name = R"(C="mill")") {
   const auto position = [](Point p) {
     return fmt::format(R"(<PNT A="10" C="{:.9f}" D="{:.9f}"/>)", p.y, p.x);
   };
@@ -187,8 +189,9 @@ std::string task_set_with_partfield(const testing_support::TemporaryFolder& fold
   const Region field = field_here();
   for (const Point p : field.front().outer) ring += position(projection.to_lonlat(p));
   const std::string tasks =
-      R"(<?xml version="1.0"?><ISO11783_TaskData VersionMajor="4"><PFD A="PFD1" C="mill"><PLN A="1"><LSG A="1">)" +
-      ring + R"(</LSG></PLN></PFD><TSK A="TSK1" B="spray" E="PFD1"><TLG A="TLG00001"/></TSK>)" +
+      R"(<?xml version="1.0"?><ISO11783_TaskData VersionMajor="4"><PFD A="PFD1" )" + name +
+      R"(><PLN A="1"><LSG A="1">)" + ring +
+      R"(</LSG></PLN></PFD><TSK A="TSK1" B="spray" E="PFD1"><TLG A="TLG00001"/></TSK>)" +
       R"(<TSK A="TSK2" B="mow"><TLG A="TLG00002"/></TSK></ISO11783_TaskData>)";
   std::string records;
   std::uint32_t ms = 0;
@@ -205,6 +208,16 @@ std::string task_set_with_partfield(const testing_support::TemporaryFolder& fold
   return testing_support::bytes_of(zip);
 }
 
+TEST_F(Drives, APartfieldWithoutADesignatorIsCalledByItsId) {
+  for (const char* none : {"", R"(C="")", R"(C=" ")"}) {
+    const Got sent = here_.upload("TASKDATA.zip", task_set_with_partfield(folder_, none));
+    const ordered_json drive = new_drive({{"upload", sent.json.at("id")}, {"log", "TLG00001"}});
+    const std::string path = "/fields/" + drive.at("field").get<std::string>();
+    EXPECT_EQ(here_.get(path).json.at("name"), "PFD1") << none;
+    EXPECT_EQ(here_.remove(path).status, 200);
+  }
+}
+
 TEST_F(Drives, ThePartfieldOfATaskSetBecomesAField) {
   const Got sent = here_.upload("TASKDATA.zip", task_set_with_partfield(folder_));
   ASSERT_EQ(sent.status, 201) << sent.text;
@@ -214,7 +227,9 @@ TEST_F(Drives, ThePartfieldOfATaskSetBecomesAField) {
   const std::string upload = sent.json.at("id");
   const ordered_json drive = new_drive({{"upload", upload}, {"log", "TLG00001"}});
   ASSERT_TRUE(drive.at("field").is_string()) << drive.dump();
-  EXPECT_EQ(here_.get("/fields").json.size(), 1U);
+  const ordered_json fields = here_.get("/fields").json;
+  ASSERT_EQ(fields.size(), 1U);
+  EXPECT_EQ(fields[0].at("name"), "mill") << "its designator";
   EXPECT_NEAR(drive.at("summary").at("field_area_m2"), 200 * 150, 1);
   EXPECT_GT(drive.at("missed_m2").get<double>(), 1000);
   // The same partfield again is the same field; a log that names none has none.
