@@ -120,7 +120,7 @@ WorkedOrder evaluated(App& app, DriveOrder order, JobRun& run) {
   run.step("reading " + order.source.log_name);
   WorkLog read = read_work_log(app.drives->store.log_file(order.id, order.source), order.source);
   app::WorkGround ground = ground_of(app, order.field);
-  std::optional<OpenedPlan> plan;
+  OpenedPlanPtr plan;
   if (!order.plan.empty()) plan = app.plans.open(order.plan);
   if (plan && ground.ground.empty()) {
     ground = app::work_ground(plan->file.plan);

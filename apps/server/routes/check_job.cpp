@@ -19,11 +19,13 @@ JobStatus begin_check(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "plan"});
   const KeptPlan plan = app.plans.get(input.text("plan"));
   return app.jobs.submit("check", fmt::format("checking {}", plan.name), [&app, plan](JobRun& run) {
-    const OpenedPlan opened = app.plans.open(plan.id);
+    // What is on the disk, not what is in memory of it.
+    const io::PlanFile opened = while_kept([&] { app.plans.get(plan.id); },
+                                           [&] { return io::read_plan_file(app.plans.file(plan.id)); });
     run.check();
-    const check::Verdict verdict = app::judge(opened.file, std::nullopt);
-    ordered_json out = app::check_json(plan.name, opened.file.plan, verdict);
-    const ShownPlace place(opened.file.plan.field.frame);
+    const check::Verdict verdict = app::judge(opened, std::nullopt);
+    ordered_json out = app::check_json(plan.name, opened.plan, verdict);
+    const ShownPlace place(opened.plan.field.frame);
     for (const char* list : {"violations", "findings"})
       for (ordered_json& entry : out[list]) entry["at"] = place.position({entry.at("x_m"), entry.at("y_m")});
     return ordered_json{{"check", std::move(out)}};

@@ -86,11 +86,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// `shape`: of the field now.
 Plan edited_plan(App& app, const PlanRequest& request, const std::string& shape, const Progress& progress) {
-  const OpenedPlan before = app.plans.open(request.edit_of);
-  if (before.notes.field != request.field->id || before.notes.shape != shape)
+  const OpenedPlanPtr before = app.plans.open(request.edit_of);
+  if (before->notes.field != request.field->id || before->notes.shape != shape)
     throw bad_input(
         "the plan to be edited is of another field, or of a shape that the field had; plan it anew");
-  return plan_edited(before.file.plan, request.field->field, request.machine, request.objective,
+  return plan_edited(before->file.plan, request.field->field, request.machine, request.objective,
                      request.settings, 0, progress);
 }
 

@@ -100,8 +100,8 @@ std::string layer_of(App& app, const Call& call) {
   const std::string& layer = call.part("layer");
   const KeptPlan kept = app.plans.get(call.part("plan"));
   const double detail_m = detail_in(call);
-  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
-  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id).file.plan, detail_m).dump();
+  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id)->file.plan, detail_m).dump();
+  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id)->file.plan, detail_m).dump();
   return while_kept([&] { app.plans.get(kept.id); },
                     [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_m); });
 }
@@ -116,7 +116,7 @@ void add_plan_routes(Router& router, App& app) {
   });
   router.get(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const KeptPlan kept = app.plans.get(call.part("plan"));
-    answer(response, in_full(app, kept, app.plans.open(kept.id)));
+    answer(response, in_full(app, kept, *app.plans.open(kept.id)));
   });
   router.patch(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();
@@ -134,7 +134,7 @@ void add_plan_routes(Router& router, App& app) {
     answer(response, {{"deleted", call.part("plan")}});
   });
   router.get(api("/plans/{plan}/layers"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, layer_list(app.plans.open(call.part("plan")).file));
+    answer(response, layer_list(app.plans.open(call.part("plan"))->file));
   });
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
     send_geojson(call.request(), response, layer_of(app, call));

@@ -25,6 +25,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kPlans = "plans";
+/// The plan on a map, the one that it is an edit of, and two that stand side by side.
+constexpr std::size_t kOpenedAtOnce = 4;
 
 ordered_json object_in(const std::string& text) {
   auto out = ordered_json::parse(text, nullptr, false);
@@ -108,6 +110,8 @@ KeptPlan PlanStore::write(const std::string& id, const std::string& created, con
   KeptPlan out = read(id);
   const std::lock_guard lock(mutex_);
   plans_[id] = out;
+  ++writes_;
+  std::erase_if(opened_, [&](const Opened& one) { return one.id == id; });
   return out;
 }
 
@@ -152,19 +156,38 @@ std::filesystem::path PlanStore::file(const std::string& id) const {
   return folder_.file(kPlans, get(id).id);
 }
 
-OpenedPlan PlanStore::open(const std::string& id) const {
-  OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
-  out.notes = notes_in(out.file.remarks);
+/// Null where it is not in memory.
+OpenedPlanPtr PlanStore::opened_before(const std::string& id) const {
+  const auto found = std::ranges::find(opened_, id, &Opened::id);
+  return found == opened_.end() ? nullptr : found->plan;
+}
+
+OpenedPlanPtr PlanStore::open(const std::string& id) const {
+  std::uint64_t writes = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    writes = writes_;
+    if (OpenedPlanPtr known = plans_.contains(id) ? opened_before(id) : nullptr) return known;
+  }
+  OpenedPlan read{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
+  read.notes = notes_in(read.file.remarks);
+  auto out = std::make_shared<const OpenedPlan>(std::move(read));
+  const std::lock_guard lock(mutex_);
+  // What was written meanwhile may be this plan.
+  if (writes != writes_ || opened_before(id) != nullptr) return out;
+  opened_.push_front({id, out});
+  if (opened_.size() > kOpenedAtOnce) opened_.pop_back();
   return out;
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
   const std::lock_guard one_at_a_time(changing_);
   const KeptPlan known = get(id);
-  OpenedPlan opened = open(id);
-  opened.notes.name = name;
-  opened.notes.draft = false;
-  return write(id, known.created, opened.file.plan, opened.notes);
+  const OpenedPlanPtr opened = open(id);
+  PlanNotes notes = opened->notes;
+  notes.name = name;
+  notes.draft = false;
+  return write(id, known.created, opened->file.plan, notes);
 }
 
 KeptPlan PlanStore::keep(const std::string& id) {

@@ -1,8 +1,11 @@
 #pragma once
 // The store of plans, which are ordinary plan files.
 
+#include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -56,6 +59,8 @@ struct OpenedPlan {
   PlanNotes notes;
 };
 
+using OpenedPlanPtr = std::shared_ptr<const OpenedPlan>;
+
 /// plans/ID.gpkg. Safe for several threads.
 class PlanStore {
  public:
@@ -66,7 +71,8 @@ class PlanStore {
   /// These throw HttpError(kNotFound).
   KeptPlan get(const std::string& id) const;
   std::filesystem::path file(const std::string& id) const;
-  OpenedPlan open(const std::string& id) const;
+  /// The last few stay in memory: whoever looks at a plan, or edits it, asks for it several times.
+  OpenedPlanPtr open(const std::string& id) const;
   /// A plan with a name of its own is no draft. One at a time, and none brings back what is deleted.
   KeptPlan rename(const std::string& id, const std::string& name);
   /// From now on it is no draft: only remove() drops it.
@@ -81,11 +87,18 @@ class PlanStore {
   KeptPlan read(const std::string& id) const;
   void drop_other_drafts(const KeptPlan& newest, const std::string& edited);
   KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
+  OpenedPlanPtr opened_before(const std::string& id) const;
 
   const StoreFolder& folder_;
   std::mutex changing_;  ///< taken before mutex_
   mutable std::mutex mutex_;
   std::map<std::string, KeptPlan> plans_;
+  struct Opened {
+    std::string id;
+    OpenedPlanPtr plan;
+  };
+  mutable std::deque<Opened> opened_;  ///< the latest first
+  std::uint64_t writes_ = 0;           ///< how often a file was written; guarded by mutex_
 };
 
 }  // namespace tramline::server
