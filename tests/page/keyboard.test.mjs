@@ -2,7 +2,7 @@
 // the focus, in sight and marked.
 import assert from 'node:assert/strict';
 import { flow } from './support/flow.mjs';
-import { mapSettled, planShown } from './support/page.mjs';
+import { mapSettled, newPlan, planShown } from './support/page.mjs';
 import { ask, openId } from './support/stored.mjs';
 
 /** What has the focus: its name, whether it is marked, and whether it is in sight, a few frames after it got it. */
@@ -129,7 +129,74 @@ flow('a field drawn, an area forbidden and a file taken, by keyboard alone', {},
   assert.equal((await focused(page)).tag, 'CANVAS');
   await page.keyboard.press('Escape');
   assert.equal((await focused(page)).name, 'Forbid an area', 'Escape goes back to what drawing began from');
+  await turnTracks(page, server);
 });
+
+const plan = (page, server) => ask(server, `/plans/${openId(page, 'plan')}`);
+const hash = (page) => new URL(page.url()).hash;
+/** How far two directions are apart, in degrees. */
+const apart = (a, b) => Math.abs(((((a - b) % 180) + 270) % 180) - 90);
+/** The direction of the line that a plan was asked to follow. */
+const lineOf = ({ asked }) => {
+  const [[ax, ay], [bx, by]] = asked.settings.line;
+  return (Math.atan2((bx - ax) * Math.cos((ay * Math.PI) / 180), by - ay) * 180) / Math.PI;
+};
+
+/** The plan that comes of what is done. */
+async function nextPlan(page, server, act) {
+  const before = hash(page);
+  await act();
+  await newPlan(page, before);
+  return plan(page, server);
+}
+
+/** Tracks turned by keys: on the map's slider, where each key is a step to undo however long it is held, and as a number. */
+async function turnTracks(page, server) {
+  const first = openId(page, 'plan');
+  await tabTo(page, /^Drag the direction$/, 'Shift+Tab');
+  await page.keyboard.press('Enter');
+  const slider = page.getByRole('slider', { name: 'Direction' });
+  await slider.waitFor();
+  assert.equal((await focused(page)).name, 'Direction', 'what turns the line has the keyboard');
+  await kept(page, 'Drag the direction');
+  const begin = parseFloat(await slider.getAttribute('aria-valuetext'));
+  const turned = await nextPlan(page, server, async () => {
+    for (let i = 0; i < 3; i++) await page.keyboard.down('ArrowRight'); // held: the second and third are repeats
+    await page.keyboard.up('ArrowRight');
+  });
+  assert.ok(apart(lineOf(turned), begin + 3) < 0.1, `${lineOf(turned)}° is not ${begin}° and 3°`);
+  assert.ok(apart(turned.summary.direction_deg[0], begin + 3) < 0.1);
+  assert.ok(apart(parseFloat(await slider.getAttribute('aria-valuetext')), begin + 3) < 0.1);
+  assert.equal((await focused(page)).name, 'Direction');
+  const aside = await nextPlan(page, server, () => enter(page, /to the right$/));
+  assert.ok(apart(lineOf(aside), lineOf(turned)) < 0.01);
+  // A tenth of the width at right angles to the line.
+  const [from, to] = [turned, aside].map(({ asked }) => asked.settings.line[0]);
+  const [east, north] = [(to[0] - from[0]) * 111_320 * Math.cos((from[1] * Math.PI) / 180), (to[1] - from[1]) * 111_240];
+  assert.ok(Math.abs(Math.hypot(east, north) - 0.1 * aside.summary.width_m) < 0.01, `${east} m, ${north} m`);
+  assert.ok(apart((Math.atan2(east, north) * 180) / Math.PI, lineOf(turned) + 90) < 1);
+  await enter(page, /^Keep this direction$/);
+  await kept(page, 'Keep this direction');
+
+  await tabTo(page, /^Direction$/);
+  const fine = await nextPlan(page, server, () => page.keyboard.press('Shift+ArrowUp'));
+  assert.ok(apart(lineOf(fine), begin + 3.1) < 0.11, `${lineOf(fine)}° is not ${begin}° and 3.1°`);
+  await page.keyboard.press('Control+a');
+  const typed = await nextPlan(page, server, async () => {
+    await page.keyboard.type('37.5');
+    await page.keyboard.press('Enter');
+  });
+  assert.ok(apart(lineOf(typed), 37.5) < 0.1, `${lineOf(typed)}°`);
+  await kept(page, 'typing a direction');
+  // Four steps, and before them the plan that nobody had a hand in.
+  await tabTo(page, /^Undo the last step by hand$/);
+  for (const before of [fine, aside, turned]) {
+    const back = await nextPlan(page, server, () => page.keyboard.press('Enter'));
+    assert.deepEqual(back.asked.settings.line, before.asked.settings.line);
+  }
+  await page.keyboard.press('Enter');
+  await page.waitForFunction((id) => location.hash.includes(id), first);
+}
 
 flow('a field by numbers, by keyboard alone', {}, async ({ page, server }) => {
   await enter(page, /^Draw a field$/);

@@ -31,6 +31,25 @@ export function bearing(from: Place, to: Place): number {
   return ((Math.atan2(east, north) / RAD) % 360 + 360) % 360;
 }
 
+/** The direction of a line, which has no front: degrees clockwise from north, in [0, 180). */
+export const directionOf = (line: Place[]) => bearing(line[0]!, line[line.length - 1]!) % 180;
+
+/** A line of two ends about its middle, turned the shorter way until its direction is `deg`. */
+export function turnedTo([from, to]: Place[], deg: number): Place[] {
+  const [east, north] = between(from!, to!);
+  const by = ((((deg - directionOf([from!, to!])) % 180) + 270) % 180 - 90) * RAD;
+  const middle: Place = [(from![0] + to![0]) / 2, (from![1] + to![1]) / 2];
+  const [x, y] = [(east * Math.cos(by) + north * Math.sin(by)) / 2, (north * Math.cos(by) - east * Math.sin(by)) / 2];
+  return [moved(middle, -x, -y), moved(middle, x, y)];
+}
+
+/** The line, so far to the right as one looks along it. */
+export function shifted(line: Place[], right_m: number): Place[] {
+  const [east, north] = between(line[0]!, line[line.length - 1]!);
+  const long = Math.hypot(east, north);
+  return line.map((place) => moved(place, (north / long) * right_m, (-east / long) * right_m));
+}
+
 /** 1, 2 or 5 times a power of ten of the reader's metres or feet, at least `least_m`. */
 export function roundStep_m(least_m: number): number {
   const { size } = unitOf('m');

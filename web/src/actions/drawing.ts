@@ -32,7 +32,7 @@ function takeKeyboardBack(): void {
   if (opener instanceof HTMLElement && opener.isConnected) opener.focus({ preventScroll: true });
 }
 
-/** Begins to draw, and gives the map the keyboard; `done` is what becomes of the shape. */
+/** Begins to draw, and gives the map the keyboard, or the slider that turns the line; `done` is what becomes of the shape. */
 export function drawFor(purpose: Purpose, done: Done, { places = [], changed = () => {}, cancelled = () => {} }: Begin = {}): void {
   whenDone = done;
   whenChanged = changed;
@@ -85,9 +85,15 @@ export function move(corner: number, place: Place): void {
   drawing.set({ places: places.map((old, i) => (i === corner ? place : old)), chosen: corner });
 }
 export function moved(before: Place[]): void {
-  const { past } = drawing.get();
+  const { past, places } = drawing.get();
+  if (JSON.stringify(places) === JSON.stringify(before)) return;
   drawing.set({ past: [...past, before], future: [], pointed: true });
   whenChanged(drawing.get().places);
+}
+
+/** The whole shape on its way, as moved() ends it. */
+export function reshape(places: Place[]): void {
+  drawing.set({ places, chosen: null });
 }
 
 /** The chosen corner goes, or the last one. */

@@ -1,6 +1,6 @@
 // The tracks of the open plan as they are drawn: their lines, and the border of a swath beside one.
 import type { FeatureCollection, Geometry, Place } from '../api/types';
-import { between, distance, moved } from '../metres';
+import { between, distance, shifted } from '../metres';
 
 function linesOf(shapes: FeatureCollection | undefined): Place[][] {
   return (shapes?.features ?? []).flatMap(({ geometry }) =>
@@ -50,11 +50,7 @@ export function guideWithin(geometry: Geometry, shapes: FeatureCollection | unde
 /** The border of the swath of a track, along which the same tracks lie; a track that bends is itself what others follow. */
 export function borderBeside(line: Place[], width_m: number): Place[] {
   if (!straight(line)) return line;
-  const [from, to] = [line[0]!, line[line.length - 1]!];
-  const [east, north] = between(from, to);
-  const long = Math.hypot(east, north);
-  const [x, y] = [(north / long) * (width_m / 2), (-east / long) * (width_m / 2)];
-  return [moved(from, x, y), moved(to, x, y)];
+  return shifted([line[0]!, line[line.length - 1]!], width_m / 2);
 }
 
 function middleOf(line: Place[]): Place {

@@ -16,6 +16,8 @@ interface Props {
   hint?: string;
   /** What an empty field stands for: a word, or a value. */
   placeholder?: string | number;
+  /** Arrow keys change it by so much, a tenth of it with Shift, and on from one end to the other. It is passed on when the key is let go, at Enter, and when it is left: not at each digit. */
+  stride?: number;
   change: (value: number | null) => void;
 }
 
@@ -27,7 +29,7 @@ const shown = (value: number | null, size: number) => (value === null ? '' : lan
 const read = (text: string) => (text === '' ? NaN : Number(text.replace(',', '.')));
 
 /** A number with its unit; one that cannot be is told and not passed on. */
-export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, placeholder = '', change }: Props) {
+export function NumberField({ label, unit, value, least, most, optional = false, whole = false, hint, placeholder = '', stride, change }: Props) {
   const id = useId();
   useStore(measures, (all) => all);
   const { name, size } = unitOf(unit);
@@ -39,7 +41,7 @@ export function NumberField({ label, unit, value, least, most, optional = false,
     setFault('');
   }, [value, size]);
 
-  const typed = (input: string) => {
+  const typed = (input: string, change: (value: number | null) => void) => {
     setText(input);
     const trimmed = input.trim();
     if (trimmed === '' && optional) {
@@ -54,6 +56,24 @@ export function NumberField({ label, unit, value, least, most, optional = false,
     // Limits are rounded in units that are converted.
     if (right) change(size === 1 ? number : Math.min(most, Math.max(least, number * size)));
   };
+  /** As fine as the arrow keys go: what is finer would be another number each time it is left. */
+  const tidied = (number: number) => Number((Math.round(number / (stride! / 10)) * (stride! / 10)).toPrecision(DIGITS));
+  const settle = () => {
+    const number = read(text.trim());
+    if (stride === undefined || !Number.isFinite(number)) return;
+    if (tidied(number) * size === value) setText(shown(value, size));
+    else typed(shown(tidied(number), 1), change);
+  };
+  const keyed = (event: KeyboardEvent) => {
+    if (event.key === 'Enter') settle();
+    const way = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
+    const number = read(text.trim());
+    if (stride === undefined || way === 0 || !Number.isFinite(number)) return;
+    event.preventDefault();
+    const [low, span] = [inUnit(least, size), inUnit(most, size) - inUnit(least, size)];
+    const next = number - low + way * (event.shiftKey ? stride / 10 : stride);
+    typed(shown(tidied(low + (((next % span) + span) % span)), 1), () => {});
+  };
   return (
     <div class="field">
       <label for={id}>{label}</label>
@@ -67,7 +87,8 @@ export function NumberField({ label, unit, value, least, most, optional = false,
           placeholder={typeof placeholder === 'number' ? shown(Math.round(placeholder * 100) / 100, size) : placeholder}
           aria-invalid={fault !== ''}
           aria-describedby={`${id}-more`}
-          onInput={(event) => typed(event.currentTarget.value)}
+          onInput={(event) => typed(event.currentTarget.value, stride === undefined ? change : () => {})}
+          onKeyDown={keyed} onKeyUp={(event) => event.key.startsWith('Arrow') && settle()} onBlur={settle}
         />
         {name && <span class="unit" aria-hidden="true">{name}</span>}
       </div>

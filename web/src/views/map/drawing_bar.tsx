@@ -1,15 +1,17 @@
 // What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last point.
-import { useState } from 'preact/hooks';
-import { add, cancel, finish, redo, removeCorner, undo } from '../../actions/drawing';
+import { useRef, useState } from 'preact/hooks';
+import { add, cancel, finish, moved, redo, removeCorner, reshape, undo } from '../../actions/drawing';
 import { complain } from '../../actions/notices';
 import type { Place } from '../../api/types';
-import { hectares, metres, plural, squareMetres } from '../../format';
+import { degrees, hectares, metres, plural, squareMetres } from '../../format';
 import { unitOf } from '../../measures';
 import { boxOf } from '../../map/boxes';
 import { engine } from '../../map/engine_loader';
-import { distance, moved, ringArea } from '../../metres';
+import { directionOf, distance, moved as movedBy, ringArea, shifted, turnedTo } from '../../metres';
 import { Button } from '../../parts/button';
+import { Slider } from '../../parts/slider';
 import { closed, drawing, fixedEnds, least, single, type Purpose } from '../../state/drawing';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { t } from '../../words';
 
@@ -48,6 +50,7 @@ export function DrawingBar() {
       <p>
         {title} <strong role="status">{places.length > 0 && <>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose.startsWith('obstacle') ? squareMetres(ground) : hectares(ground)}` : ''}.</>}</strong>
       </p>
+      {purpose === 'direction' && <Turning places={places} />}
       {purpose !== 'edge' && !fixedEnds(purpose) && <TypedPlace last={last ?? null} />}
       <div class="row">
         {purpose !== 'edge' && <Button kind="main" disabled={places.length < least(purpose)} onClick={() => void finish()}>{done}</Button>}
@@ -55,6 +58,42 @@ export function DrawingBar() {
         {purpose !== 'edge' && <Button disabled={future === 0} onClick={redo}>{t`Redo`}</Button>}
         {purpose !== 'edge' && !single(purpose) && !fixedEnds(purpose) && <Button disabled={chosen === null} onClick={removeCorner}>{t`Delete the corner`}</Button>}
         <Button onClick={cancel}>{t`Cancel`}</Button>
+      </div>
+    </div>
+  );
+}
+
+/** Of the swath, so that whole steps lead to other tracks: a whole swath to the side they are the same. */
+const SIDEWAYS = 0.1;
+
+/** The line turned and moved without a pointer; each key, as long as it is held, is one step to undo. */
+function Turning({ places }: { places: Place[] }) {
+  const before = useRef<Place[] | null>(null);
+  const width_m = useStore(plans, (value) => value.open?.summary.width_m ?? 0);
+  const deg = directionOf(places);
+  const turn = (towards: number) => {
+    before.current ??= places;
+    reshape(turnedTo(places, towards));
+  };
+  const settled = () => {
+    if (before.current) moved(before.current);
+    before.current = null;
+  };
+  const keyed = ({ key, target }: KeyboardEvent) => {
+    if (key === 'Escape') cancel();
+    else if (key === 'Enter' && target instanceof HTMLInputElement) void finish();
+  };
+  const aside = (right_m: number) => {
+    reshape(shifted(places, right_m));
+    moved(places);
+  };
+  return (
+    <div onKeyDown={keyed}>
+      <Slider label={t`Direction`} value={deg} least={0} most={180} step={0.1} stride={1} says={degrees(deg)} focused change={turn} settled={settled} />
+      <p class="hint">{t`Arrow keys turn the line by 1°, with Shift by 0.1°.`}</p>
+      <div class="row">
+        <Button onClick={() => aside(-SIDEWAYS * width_m)}>{t`${metres(SIDEWAYS * width_m)} to the left`}</Button>
+        <Button onClick={() => aside(SIDEWAYS * width_m)}>{t`${metres(SIDEWAYS * width_m)} to the right`}</Button>
       </div>
     </div>
   );
@@ -73,7 +112,7 @@ function TypedPlace({ last }: { last: Place | null }) {
       complain(t`Latitude goes from −85 to 85, longitude from −180 to 180. Type them in this order.`);
       return;
     }
-    const place = last ? moved(last, a * unitOf('m').size, b * unitOf('m').size) : ([b, a] as Place);
+    const place = last ? movedBy(last, a * unitOf('m').size, b * unitOf('m').size) : ([b, a] as Place);
     add(place);
     const all = drawing.get().places;
     if (all.length < 2) engine()?.look(place, 100);

@@ -4,9 +4,10 @@ import { addLand, alongLine, forgetEdits, lockPart, redoEdit, removeLand, undoEd
 import { note } from '../../actions/notices';
 import type { Geometry, Land, Place, PlanFull } from '../../api/types';
 import { area, degrees, length, money } from '../../format';
-import { bearing, distance, ringArea } from '../../metres';
+import { bearing, directionOf, distance, ringArea, turnedTo } from '../../metres';
 import { borderBeside, guideWithin, longestTrack, outerRing } from '../../map/tracks_on_map';
 import { Button } from '../../parts/button';
+import { NumberField } from '../../parts/number_field';
 import type { Purpose } from '../../state/drawing';
 import { hand, type Best } from '../../state/hand';
 import { costOf, form } from '../../state/plan_form';
@@ -41,6 +42,8 @@ const DRAWN: { purpose: Purpose; label: string; land: (geometry: Geometry) => La
   { purpose: 'cut', label: t`Cut the field`, land: (geometry) => ({ kind: 'cut', geometry }) },
 ];
 
+const tenths = (deg: number) => Math.round(deg * 10) / 10;
+
 export function HandForm({ plan }: { plan: PlanFull }) {
   const { land, line } = useStore(form, (value) => value);
   const { past, future, best } = useStore(hand, (value) => value);
@@ -48,6 +51,7 @@ export function HandForm({ plan }: { plan: PlanFull }) {
   const job = useStore(plans, (value) => value.job);
   const track = longestTrack(shapes['tracks']);
   const parts = shapes['subfields']?.features ?? [];
+  const guide = line?.length === 2 ? line : track && borderBeside([track[0]!, track[track.length - 1]!], plan.summary.width_m);
   const more = past.length > 0 ? moreThan(best, plan) : null;
   const lock = (geometry: Geometry) => {
     const guide = guideWithin(geometry, shapes['tracks'], plan.summary.width_m);
@@ -58,16 +62,18 @@ export function HandForm({ plan }: { plan: PlanFull }) {
     <section aria-labelledby="hand-title">
       <h2 id="hand-title">{t`By hand`}</h2>
       <div class="row">
-        {track && (
-          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), {
-            places: line && line.length === 2 ? line : borderBeside([track[0]!, track[track.length - 1]!], plan.summary.width_m), changed: alongLine, cancelled: () => forgetEdits(past.length),
-          })}>
+        {guide && (
+          <Button onClick={() => drawFor('direction', async (geometry) => alongLine(geometry.coordinates as Place[]), { places: guide, changed: alongLine, cancelled: () => forgetEdits(past.length) })}>
             {t`Drag the direction`}
           </Button>
         )}
         {DRAWN.map(({ purpose, label, land: made }) => <Button key={purpose} onClick={() => drawFor(purpose, async (geometry) => addLand(made(geometry)))}>{label}</Button>)}
         <Button onClick={() => drawFor('lock', async (geometry) => lock(geometry))}>{t`Keep a part as it is`}</Button>
       </div>
+      {guide && (
+        <NumberField label={t`Direction`} unit="°" value={tenths(directionOf(guide)) % 180} least={0} most={180} stride={1}
+          hint={t`Of the tracks, clockwise from north. Up and down change it by 1°, with Shift by 0.1°.`} change={(deg) => deg !== null && alongLine(turnedTo(guide, deg))} />
+      )}
       {parts.length > 1 && parts.length <= 8 && (
         <div class="row">
           {parts.map(({ geometry }, i) => geometry?.type === 'Polygon' && (
