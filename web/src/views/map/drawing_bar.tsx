@@ -48,7 +48,7 @@ export function DrawingBar() {
   return (
     <div class="drawing-bar" role="group" aria-label={t`Drawing`}>
       <p>
-        {title} <strong role="status">{places.length > 0 && <>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose.startsWith('obstacle') ? squareMetres(ground) : hectares(ground)}` : ''}.</>}</strong>
+        {title} <strong role="status">{places.length > 0 && !fixedEnds(purpose) && <>{t`${plural(places.length, 'point')} set`}{last && before ? t`, the last ${metres(distance(before, last))} from the one before` : ''}{ground > 0 ? `; ${purpose.startsWith('obstacle') ? squareMetres(ground) : hectares(ground)}` : ''}.</>}</strong>
       </p>
       {purpose === 'direction' && <Turning places={places} />}
       {purpose !== 'edge' && !fixedEnds(purpose) && <TypedPlace last={last ?? null} />}
