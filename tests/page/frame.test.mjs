@@ -14,24 +14,7 @@ function plansAsked(page) {
   return () => asked;
 }
 
-flow('the frame stands still, and the figures stay in sight beside the settings', {}, async ({ page, server }) => {
-  await openField(page, smallField(server.folder));
-  await planTracks(page);
-  await makePlan(page);
-  await page.getByLabel('Each further subfield').focus();
-  await page.evaluate(() => { scrollTo(0, 500); document.querySelector('main').scrollTo(0, 1e6); });
-  assert.deepEqual(await page.evaluate(() => [scrollY, document.documentElement.scrollTop, document.body.scrollTop]), [0, 0, 0]);
-  const bar = page.locator('.plan-bar');
-  await bar.waitFor();
-  // Layers arrive after the figures, and what is below moves once more.
-  await page.waitForFunction(() => {
-    const { y } = document.querySelector('.plan-bar').getBoundingClientRect();
-    return y >= 60 && y < 200;
-  });
-  assert.match(await bar.innerText(), /€.*m² twice.*m² missed/s);
-});
-
-flow('Enter plans once, a number that cannot be never; the figures have the focus afterwards', {}, async ({ page, server }) => {
+flow('Enter plans once, a number that cannot be never; the figures have the focus afterwards, and stay in sight beside the settings', {}, async ({ page, server }) => {
   await openField(page, smallField(server.folder));
   await planTracks(page);
   const asked = plansAsked(page);
@@ -52,6 +35,19 @@ flow('Enter plans once, a number that cannot be never; the figures have the focu
   await width.press('Enter');
   await page.waitForTimeout(1500);
   assert.equal(asked(), 2);
+
+  // The frame stands still whatever is scrolled.
+  await page.getByLabel('Each further subfield').focus();
+  await page.evaluate(() => { scrollTo(0, 500); document.querySelector('main').scrollTo(0, 1e6); });
+  assert.deepEqual(await page.evaluate(() => [scrollY, document.documentElement.scrollTop, document.body.scrollTop]), [0, 0, 0]);
+  const bar = page.locator('.plan-bar');
+  await bar.waitFor();
+  // Layers arrive after the figures, and what is below moves once more.
+  await page.waitForFunction(() => {
+    const { y } = document.querySelector('.plan-bar').getBoundingClientRect();
+    return y >= 60 && y < 200;
+  });
+  assert.match(await bar.innerText(), /€.*m² twice.*m² missed/s);
 });
 
 flow('Back goes to the view before, and to the field before', {}, async ({ page, server }) => {
@@ -77,7 +73,7 @@ async function openField2(page, server) {
   await page.getByRole('region', { name: 'Open field: angle field' }).waitFor();
 }
 
-flow('a phone opens each view at its top', { viewport: NARROW, touch: true }, async ({ page, server }) => {
+flow('a phone opens each view at its top, and a tablet with the legend folded', { viewport: NARROW, touch: true }, async ({ page, server }) => {
   await openField(page, smallField(server.folder));
   await planTracks(page);
   await makePlan(page);
@@ -90,12 +86,10 @@ flow('a phone opens each view at its top', { viewport: NARROW, touch: true }, as
   await page.reload();
   await page.getByLabel('The plan in numbers').first().waitFor();
   assert.equal(await page.evaluate(() => scrollY), 0);
-});
 
-flow('the legend is folded on a tablet', { viewport: TABLET, touch: true }, async ({ page, server }) => {
-  await openField(page, smallField(server.folder));
-  await planTracks(page);
-  await makePlan(page);
+  await page.setViewportSize(TABLET);
+  await page.reload();
+  await page.getByLabel('The plan in numbers').first().waitFor();
   assert.equal(await page.locator('.legend').evaluate((legend) => legend.open), false);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
 });

@@ -49,7 +49,7 @@ export async function newPlan(page, hashBefore) {
 export const mapSettled = (page) =>
   page.evaluate(async () => {
     const map = window.tramlineMap;
-    if (!map.loaded() || map.isMoving()) await new Promise((resolve) => { map.once('idle', resolve); map.triggerRepaint(); });
+    if (!map.loaded() || map.isMoving()) await new Promise((resolve) => { map.once('idle', () => resolve()); map.triggerRepaint(); });
   });
 
 /** Features of a layer of the map that are drawn right now. */
@@ -70,7 +70,7 @@ export async function still(page) {
   await page.waitForFunction(() => window.tramlineMap);
   await page.evaluate(() => new Promise((resolve) => {
     const map = window.tramlineMap;
-    map.once('idle', resolve);
+    map.once('idle', () => resolve()); // not with the event: all of the map would be sent back, which takes seconds
     map.triggerRepaint();
   }));
 }
