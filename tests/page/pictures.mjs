@@ -53,7 +53,11 @@ try {
   await goTo(wide, 'Compare');
   await wide.getByRole('button', { name: 'Find the plans' }).click();
   await wide.locator('.dot').first().waitFor({ timeout: 300_000 });
+  const before = new URL(wide.url()).hash;
   await wide.locator('.dot').last().click({ force: true });
+  await wide.waitForFunction((was) => location.hash !== was, before);
+  await wide.getByText(/^Making plan/).waitFor({ state: 'detached' });
+  await wide.waitForSelector('.map[aria-busy=false]');
   await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
   await top(wide);
   await shoot(wide, 'compare');
