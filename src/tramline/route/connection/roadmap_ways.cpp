@@ -1,6 +1,7 @@
 #include "tramline/route/connection/roadmap_ways.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -82,6 +83,7 @@ const RoadmapWays::Way* RoadmapWays::word(const Pose& from, const Pose& to) {
 }
 
 const RoadmapWays::Way* RoadmapWays::change(std::size_t from, std::size_t number) {
+  assert(changes_[from] && number < changes_[from]->ways.size());
   ChangesAt& at = *changes_[from];
   Found& way = at.ways[number];
   if (!way)
