@@ -61,7 +61,7 @@ flow('a long list of stored fields has a search, too', {}, async ({ page, server
   await chooseFile(page, 'Choose a file with a field', manyFields(server.folder, 12));
   await page.getByLabel('All 12 fields').check();
   await page.getByRole('button', { name: 'Store 12 fields' }).click();
-  await page.getByText('12 fields of many.geojson are stored').waitFor();
+  await page.getByText('Stored: 12 fields of many.geojson').waitFor();
   await page.getByLabel('Search by name, crop, tag or area').fill('meadow 10');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');

@@ -23,6 +23,7 @@ flow('a background is asked for when it is switched on', { args: ['--tiles', til
   assert.equal(await page.getByText('© Makers of tiles').count(), 0);
   await page.getByRole('button', { name: 'Background' }).click();
   await page.getByText('© Makers of tiles').waitFor();
+  await still(page); // no tile is asked for before the next picture
   await page.waitForFunction(() => window.tramlineMap.isSourceLoaded('tiles'));
   assert.ok(tiles.asked() > 0);
   assert.ok(await loadedTiles(page));
