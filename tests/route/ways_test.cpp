@@ -16,6 +16,7 @@
 #include "tramline/route/build/known_costs.h"
 #include "tramline/route/build/track_tour.h"
 #include "tramline/route/connection/arc_room.h"
+#include "tramline/route/connection/unreachable.h"
 #include "tramline/route/turning/planned_turns.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/outline/outline.h"
@@ -279,6 +280,23 @@ TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
   });
   EXPECT_GT(dearer, 10);
   std::cout << dearer << " ways dearer than foreseen, " << without_room << " without room\n";
+}
+
+// Of three poses, the first leads to neither end, the second to the other one only, the third to both.
+TEST(Unreachable, IsWhatLeadsToNoneOfTheEnds) {
+  const Pose one{{0, 0}, Heading::clockwise_from_north(Angle::degrees(0))},
+      other{{0, 0}, Heading::clockwise_from_north(Angle::degrees(90))};
+  Unreachable known(3);
+  EXPECT_EQ(known.to_any({one}), Unreachable::From({0, 0, 0})) << "nothing is known";
+  known.add(one, {1, 0, 0});
+  known.add(one, {0, 1, 0});
+  EXPECT_EQ(known.to_any({one}), Unreachable::From({1, 1, 0})) << "the second search adds to the first";
+  EXPECT_EQ(known.to_any({one, other}), Unreachable::From({0, 0, 0})) << "of the other nothing is known";
+  known.add(other, {1, 0, 0});
+  EXPECT_EQ(known.to_any({one, other}), Unreachable::From({1, 0, 0}));
+  known.add_all(other);
+  EXPECT_EQ(known.to_any({one, other}), Unreachable::From({1, 1, 0}));
+  EXPECT_EQ(known.to_any({other}), Unreachable::From({1, 1, 1}));
 }
 
 /// What failed searches teach leaves out no way: one that meets a roadmap on which many were made before

@@ -19,9 +19,7 @@ JobStatus begin_check(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "plan"});
   const KeptPlan plan = app.plans.get(input.text("plan"));
   return app.jobs.submit("check", fmt::format("checking {}", plan.name), [&app, plan](JobRun& run) {
-    // What is on the disk, not what is in memory of it.
-    const io::PlanFile opened = while_kept([&] { app.plans.get(plan.id); },
-                                           [&] { return io::read_plan_file(app.plans.file(plan.id)); });
+    const io::PlanFile opened = app.plans.on_disk(plan.id);
     run.check();
     const check::Verdict verdict = app::judge(opened, std::nullopt);
     ordered_json out = app::check_json(plan.name, opened.plan, verdict);

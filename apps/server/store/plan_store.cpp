@@ -156,6 +156,10 @@ std::filesystem::path PlanStore::file(const std::string& id) const {
   return folder_.file(kPlans, get(id).id);
 }
 
+io::PlanFile PlanStore::on_disk(const std::string& id) const {
+  return while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); });
+}
+
 /// Null where it is not in memory.
 OpenedPlanPtr PlanStore::opened_before(const std::string& id) const {
   const auto found = std::ranges::find(opened_, id, &Opened::id);
@@ -169,7 +173,7 @@ OpenedPlanPtr PlanStore::open(const std::string& id) const {
     writes = writes_;
     if (OpenedPlanPtr known = plans_.contains(id) ? opened_before(id) : nullptr) return known;
   }
-  OpenedPlan read{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
+  OpenedPlan read{on_disk(id), {}};
   read.notes = notes_in(read.file.remarks);
   auto out = std::make_shared<const OpenedPlan>(std::move(read));
   const std::lock_guard lock(mutex_);

@@ -71,6 +71,8 @@ class PlanStore {
   /// These throw HttpError(kNotFound).
   KeptPlan get(const std::string& id) const;
   std::filesystem::path file(const std::string& id) const;
+  /// What its file says, whatever is in memory of it.
+  io::PlanFile on_disk(const std::string& id) const;
   /// The last few stay in memory: whoever looks at a plan, or edits it, asks for it several times.
   OpenedPlanPtr open(const std::string& id) const;
   /// A plan with a name of its own is no draft. One at a time, and none brings back what is deleted.

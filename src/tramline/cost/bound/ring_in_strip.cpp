@@ -4,35 +4,39 @@
 #include <limits>
 
 namespace tramline {
+namespace {
 
-Interval extent_along(const Ring& ring, double left, double right) {
-  Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+/// Calls visit(across, along) for both ends of what each edge has between two values of one coordinate.
+template <double Point::*kAcross, double Point::*kAlong, class Visit>
+void each_end_between(const Ring& ring, const Interval& between, Visit visit) {
   Point a = ring.back();
   for (const Point b : ring) {
     const Point from = a;
     a = b;
-    if (std::max(from.x, b.x) < left || std::min(from.x, b.x) > right) continue;
-    for (const Point end : {from, b}) {
-      const double x = std::clamp(end.x, left, right);
-      const double y = from.x == b.x ? end.y : from.y + (b.y - from.y) * ((x - from.x) / (b.x - from.x));
-      out = {std::min(out.from, y), std::max(out.to, y)};
+    const double start = from.*kAcross, end = b.*kAcross;
+    if (std::max(start, end) < between.from || std::min(start, end) > between.to) continue;
+    for (const Point corner : {from, b}) {
+      const double across = std::clamp(corner.*kAcross, between.from, between.to);
+      visit(across, start == end
+                        ? corner.*kAlong
+                        : from.*kAlong + (b.*kAlong - from.*kAlong) * ((across - start) / (end - start)));
     }
   }
+}
+
+}  // namespace
+
+Interval extent_along(const Ring& ring, double left, double right) {
+  Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  each_end_between<&Point::x, &Point::y>(ring, {left, right}, [&](double, double y) {
+    out = {std::min(out.from, y), std::max(out.to, y)};
+  });
   return out;
 }
 
 std::vector<Point> corners_in(const Ring& ring, const Interval& rows) {
   std::vector<Point> out;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    const Point from = a;
-    a = b;
-    if (std::max(from.y, b.y) < rows.from || std::min(from.y, b.y) > rows.to) continue;
-    for (const Point end : {from, b}) {
-      const double y = std::clamp(end.y, rows.from, rows.to);
-      out.push_back({from.y == b.y ? end.x : from.x + (b.x - from.x) * ((y - from.y) / (b.y - from.y)), y});
-    }
-  }
+  each_end_between<&Point::y, &Point::x>(ring, rows, [&](double y, double x) { out.push_back({x, y}); });
   return out;
 }
 

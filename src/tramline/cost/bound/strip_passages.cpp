@@ -252,6 +252,16 @@ Interval StripPassages::land_in(const std::vector<BoundaryWindow>& windows) cons
   return {windows.front().lowest - terms_.shear_m, top + terms_.shear_m};
 }
 
+/// The rows in which any detour past a zone lies, on the side on which that reaches so far from the track.
+Interval StripPassages::rows_of_detour(const DetourZone& zone, double most_aside_m) const {
+  const Box& box = zone.obstacles;
+  const double turned = turned_m(box);
+  const double aside_m = most_aside_m + 0.5 * terms_.width_m + terms_.shift_m + turned +
+                         kDetourRound_share * std::hypot(box.width(), box.height());
+  const double reach = rows_to_leave_m(aside_m) + turned + terms_.width_m * kNoPiece_m;
+  return {box.min_y - reach, box.max_y + reach};
+}
+
 /// Detours of the strip round the obstacle. The obstacle lies on one side of a piece that is driven past all
 /// of its rows; else those of its points do that lie in the rows in which it is in the strip. The detour
 /// passes each of them by half a width. It has no more rows for the way there and back than from the ends of
@@ -305,13 +315,8 @@ StripPassages::WaysRound StripPassages::ways_round(const Obstacle& obstacle, con
   Way* ways[] = {&out.left, &out.right};
   for (std::size_t side = 0; side < 2; ++side) {
     if (!ways[side]->fits || ways[side]->aside_m <= 0) continue;
-    const double zone_turned = turned_m(zone->obstacles);
-    const double reach =
-        rows_to_leave_m(most_aside[side] + 0.5 * terms_.width_m + terms_.shift_m + zone_turned +
-                        kDetourRound_share * std::hypot(zone->obstacles.width(), zone->obstacles.height())) +
-        zone_turned + terms_.width_m * kNoPiece_m;
-    const double longer_m = least_longer_m(seen[side], 0.5 * terms_.width_m,
-                                           {zone->obstacles.min_y - reach, zone->obstacles.max_y + reach});
+    const double longer_m =
+        least_longer_m(seen[side], 0.5 * terms_.width_m, rows_of_detour(*zone, most_aside[side]));
     // Corners may lie elsewhere along, all the more the farther they are apart.
     ways[side]->longer_m = std::max(0.0, longer_m - 2 * turned);
   }

@@ -99,6 +99,7 @@ class StripPassages {
 
   std::optional<ObstacleRows> rows_of(Obstacle& obstacle) const;
   WaysRound ways_round(const Obstacle& obstacle, const Interval& piece, const Interval& land) const;
+  Interval rows_of_detour(const DetourZone& zone, double most_aside_m) const;
   double rows_to_leave_m(double aside_m) const;
   double turned_m(const Box& box) const;
   const DetourZone* zone_of(const Obstacle& obstacle) const;

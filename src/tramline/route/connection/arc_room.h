@@ -38,6 +38,7 @@ class ArcRoom {
     std::array<Known, 2> leaving{};  ///< to the right, and to the left
     std::array<Known, 2> entering{};
   };
+
   AtPose& at(const Pose& pose);
   /// A turn on which the machine leaves a pose, or on which it enters one.
   bool has_room(const SteeredStretch& turn, std::array<Known, 2>& known) const;
