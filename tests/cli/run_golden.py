@@ -21,6 +21,7 @@ In `command` and in the environment of setup.sh these are known:
   $TRAMLINE  the program                              that make them
   $INPUT     a fresh folder for what setup.sh makes
   $OUT       a fresh folder for what the program writes
+  $KEPT      what set-ups keep for other cases (common/kept.sh), beside the program
 
 What holds for every case without being said: the program does not die of a signal; it prints no
 colour codes; it leaves $INPUT as it was; with exit code 2 it prints nothing on stdout and one
@@ -108,6 +109,7 @@ def run_case(case, program, examples):
             "EXAMPLES": examples,
             "COMMON": HERE / "common",
             "TRAMLINE": program,
+            "KEPT": pathlib.Path(program).resolve().parent / "kept-inputs",
             "INPUT": pathlib.Path(scratch).resolve() / "input",
             "OUT": pathlib.Path(scratch).resolve() / "out",
         }
