@@ -69,6 +69,10 @@ qgis-plugin: packages ## zip the plugin for QGIS, to be installed from there: ou
 benches: build
 	cmake --build $(RELEASE) -j $(JOBS) --target benches
 
+.PHONY: sweeps
+sweeps: build
+	cmake --build $(RELEASE) -j $(JOBS) --target sweeps
+
 .PHONY: bench
 bench: benches ## measure; table on the terminal, figures into bench/results/
 	tools/bench.py $(RELEASE)
@@ -169,80 +173,80 @@ long-bound-divisions: build ## on 10,000 random fields, no division costs less t
 	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoDivisionCostsLess*'
 long-best-brute: build ## 200 random fields against brute force, and against the sweep
 	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*:*NoWaysPastObstacles*:*NoSidesOfOneObstacle*:*NoDivisionCostsLess*'
-long-best-real: build ## the best search against the sweep over the real fields, default prices
+long-best-real: sweeps ## the best search against the sweep over the real fields, default prices
 	$(LIMIT) $(RELEASE)/tests/real/best_real
-long-best-real-1: build ## the same, Versleijen's scenario 1
+long-best-real-1: sweeps ## the same, Versleijen's scenario 1
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 1
-long-best-real-2: build ## the same, Versleijen's scenario 2
+long-best-real-2: sweeps ## the same, Versleijen's scenario 2
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 2
-long-best-real-3: build ## the same, Versleijen's scenario 3
+long-best-real-3: sweeps ## the same, Versleijen's scenario 3
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 3
-long-tally-real: build ## the closed-form tally against polygon clipping over the real fields
+long-tally-real: sweeps ## the closed-form tally against polygon clipping over the real fields
 	$(LIMIT) $(RELEASE)/tests/real/tally_real
 
 # One scenario of Versleijen over all real fields: least overlap, least uncovered, fewest turns.
 SWEEP = $(LIMIT) $(RELEASE)/tests/real/sweep_real
-long-real-1: build ## Versleijen's scenario 1 (least overlap) over the real fields
+long-real-1: sweeps ## Versleijen's scenario 1 (least overlap) over the real fields
 	TRAMLINE_SCENARIO=1 $(SWEEP)
-long-real-2: build ## Versleijen's scenario 2 (least uncovered) over the real fields
+long-real-2: sweeps ## Versleijen's scenario 2 (least uncovered) over the real fields
 	TRAMLINE_SCENARIO=2 $(SWEEP)
-long-real-3: build ## Versleijen's scenario 3 (fewest turns) over the real fields
+long-real-3: sweeps ## Versleijen's scenario 3 (fewest turns) over the real fields
 	TRAMLINE_SCENARIO=3 $(SWEEP)
 
 # One working width over all real fields with obstacles: all tracks cut, as in Versleijen, and cheapest.
 OBSTACLES = $(LIMIT) $(RELEASE)/tests/real/obstacle_sweep
-long-obstacles-3: build ## ways past the obstacles of the real fields, 3 m wide, and what a stop's price does
+long-obstacles-3: sweeps ## ways past the obstacles of the real fields, 3 m wide, and what a stop's price does
 	$(OBSTACLES) --width 3
 	$(OBSTACLES) --stop-prices
-long-obstacles-6: build ## the same, 6 m wide
+long-obstacles-6: sweeps ## the same, 6 m wide
 	$(OBSTACLES) --width 6
-long-obstacles-12: build ## the same, 12 m wide
+long-obstacles-12: sweeps ## the same, 12 m wide
 	$(OBSTACLES) --width 12
-long-obstacles-24: build ## the same, 24 m wide
+long-obstacles-24: sweeps ## the same, 24 m wide
 	$(OBSTACLES) --width 24
 
-long-headlands: build ## headland passes round all real fields: drivable, in place, areas that add up
+long-headlands: sweeps ## headland passes round all real fields: drivable, in place, areas that add up
 	$(LIMIT) $(RELEASE)/tests/real/headland_sweep
 
 # One working width over all real fields, with 0, 1 and 2 passes and with and without one round obstacles.
 HEADLAND_PLANS = $(LIMIT) $(RELEASE)/tests/real/headland_plans
-long-headland-plans-6: build ## plans of all real fields with every number of headland passes, 6 m wide, verified
+long-headland-plans-6: sweeps ## plans of all real fields with every number of headland passes, 6 m wide, verified
 	$(HEADLAND_PLANS) 6
-long-headland-plans-12: build ## the same, 12 m wide
+long-headland-plans-12: sweeps ## the same, 12 m wide
 	$(HEADLAND_PLANS) 12
-long-headland-plans-24: build ## the same, 24 m wide
+long-headland-plans-24: sweeps ## the same, 24 m wide
 	$(HEADLAND_PLANS) 24
 
 # Headlands as the turns of one machine need them, over all real fields.
 AUTOMATIC_HEADLANDS = $(LIMIT) $(RELEASE)/tests/real/automatic_headlands
-long-turns-3: build ## automatic headlands over the real fields, 3 m wide and 6 m radius: no turn leaves the land
+long-turns-3: sweeps ## automatic headlands over the real fields, 3 m wide and 6 m radius: no turn leaves the land
 	$(AUTOMATIC_HEADLANDS) 3 6 forward
-long-turns-6: build ## the same, 6 m wide and reversing
+long-turns-6: sweeps ## the same, 6 m wide and reversing
 	$(AUTOMATIC_HEADLANDS) 6 6 reversing
-long-turns-24: build ## the same, 24 m wide and 8 m radius
+long-turns-24: sweeps ## the same, 24 m wide and 8 m radius
 	$(AUTOMATIC_HEADLANDS) 24 8 forward
 
 # The whole route of one machine, over all real fields.
 ROUTES = $(LIMIT) $(RELEASE)/tests/real/route_real
-long-route-3: build ## whole routes over the real fields, 3 m wide and 6 m radius: verified, on the land, how near to the quickest
+long-route-3: sweeps ## whole routes over the real fields, 3 m wide and 6 m radius: verified, on the land, how near to the quickest
 	$(ROUTES) 3 6 forward
-long-route-6: build ## the same, 6 m wide and reversing
+long-route-6: sweeps ## the same, 6 m wide and reversing
 	$(ROUTES) 6 6 reversing
-long-route-24: build ## the same, 24 m wide and 8 m radius
+long-route-24: sweeps ## the same, 24 m wide and 8 m radius
 	$(ROUTES) 24 8 forward
 
-long-whole-plans: build ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, than random layouts, and than in the directions that were driven
+long-whole-plans: sweeps ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, than random layouts, and than in the directions that were driven
 	$(LIMIT) $(RELEASE)/tests/real/whole_plans 6 6 forward 3 30
 	$(LIMIT) $(RELEASE)/tests/real/driven_directions
 
-long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
+long-maps: sweeps ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real
 	$(LIMIT) $(RELEASE)/tests/real/map_real --width 4 --headlands 2
 
-long-order: build ## the driving order of all real fields, straight and curved: hops against a nearest-neighbour tour
+long-order: sweeps ## the driving order of all real fields, straight and curved: hops against a nearest-neighbour tour
 	$(LIMIT) $(RELEASE)/tests/real/order_real
 
-long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
+long-coverage: sweeps ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
 
@@ -274,7 +278,7 @@ long-qgis: packages-qgis qgis-plugin program ## the plugin in QGIS without windo
 long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost
 	$(LIMIT) tests/server/kills/serve_kills.py --tramline $(TRAMLINE) --kills 300
 
-long-slow: packages-test benches ## the tests that take longest, which `make test` leaves out; the benchmarks are built too
+long-slow: packages-test benches sweeps ## the tests that take longest, which `make test` leaves out; benchmarks and sweeps are built too
 	$(LIMIT) $(CTEST) --test-dir $(RELEASE) -L slow
 
 long-planted: program ## changes planted into plan files, each into every plan; plans of random fields priced again

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/significant_vertices.h"
 
 namespace tramline {
 namespace {
@@ -37,21 +38,45 @@ bool may_hold_a_track(const Polygon& polygon, const Strip& strip) {
 
 bool holds_a_track(const Polygon& polygon, const Strip& strip) {
   if (!may_hold_a_track(polygon, strip)) return false;
-  return !buffered({polygon}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
+  // Vertices beside chords, which the grid leaves where two regions share an edge, can cost the polygon engine
+  // a thousand times what it takes without them.
+  const Polygon outline = simplified(polygon, (1 - kAlmost) * 0.25 * strip.width_m);
+  return !buffered({outline}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
 }
 
 void keep_tracks(Region& region, const Strip& strip) {
   std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
 }
 
-/// The polygons of which some part may hold a track; the grid moves edges of a part.
+/// The grid moves edges of a part.
+constexpr double kMore = 0.99;
+
+/// The polygons of which some part may hold a track.
 Region with_parts_for(const Region& region, const Strip& strip) {
-  constexpr double kMore = 0.99;
   Region out;
   for (const Polygon& polygon : region)
     if (may_hold_a_track(polygon, {kMore * strip.width_m, kMore * strip.least_length_m}))
       out.push_back(polygon);
   return out;
+}
+
+/// Chords of arcs that tell whether it is worth while to look closer, as a share of the width.
+constexpr double kRoughSagitta_share = 0.01;
+
+/// Whether a part of the ground that no pass works is large and long enough for one of the strips, on a look
+/// with long chords: exact areas of that ground cost many times as much, and mostly it is what corners leave.
+bool may_cede(const Headland& headland, double width_m, const std::vector<Strip>& strips) {
+  const double sagitta_m = kRoughSagitta_share * width_m;
+  const Region roughly = unworked_ground(headland, width_m, sagitta_m);
+  return std::any_of(roughly.begin(), roughly.end(), [&](const Polygon& part) {
+    double perimeter_m = perimeter(part.outer);
+    for (const Ring& hole : part.holes) perimeter_m += perimeter(hole);
+    return std::any_of(strips.begin(), strips.end(), [&](const Strip& strip) {
+      const double length_m = kMore * strip.least_length_m;
+      return area(part) + sagitta_m * perimeter_m >= kMore * strip.width_m * length_m &&
+             extends_over(part, kAlmost * length_m - 2 * sagitta_m);
+    });
+  });
 }
 
 /// The region without parts narrower than the width; corners stay.
@@ -83,6 +108,7 @@ Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, 
   if (headland.uncovered_m2 <
       0.99 * std::min(wide.width_m * wide.least_length_m, narrow.width_m * narrow.least_length_m))
     return {};
+  if (!may_cede(headland, width_m, {wide, narrow})) return {};
   const Region unworked = unworked_ground(headland, width_m);
   Region out;
   for (const Strip& strip : {wide, narrow}) {

@@ -61,6 +61,8 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms);
 /// area on passable obstacles is included neither here nor in uncovered_m2: they are not ground. A polygon
 /// difference for each pass: mostly slower than headland_of.
 Region unworked_ground(const Headland& headland, double width_m);
+/// The same with other chords, exact to about `sagitta_m` at arcs.
+Region unworked_ground(const Headland& headland, double width_m, double sagitta_m);
 
 /// The most passes round the field (obstacles without headland) that leave any body at all. O(log) bodies.
 int most_passes(const Field& field, double width_m);
