@@ -1,9 +1,11 @@
-// How fast the page is: first paint on loopback, and frames a second while a map with 5,000 swaths is moved,
-// drawn in software. Prints one line of JSON. The first paint is that of a browser which has just been started, whose own start of drawing is
-// part of it, and of one that has shown a page before.
+// How fast the page is: first paint on loopback, steps of a hand on the plan, and frames a second while a map with 5,000 swaths is moved,
+// drawn in software. Prints one line of JSON. The first paint is that of a browser which has just been started, beside that of one line of
+// text in such a browser, whose own start it is; and of one that has shown a page before.
+import { createServer } from 'node:http';
 import { closePage, openPage, startBrowser } from './support/browser.mjs';
 import { goTo, makePlan, mapReady, openField, planTracks, still } from './support/page.mjs';
 import { example, startServer } from './support/server.mjs';
+import { openId } from './support/stored.mjs';
 
 const SWATHS = 5000;
 const SECONDS = 6;
@@ -44,7 +46,60 @@ const framesPerSecond = (page) =>
   }), SECONDS);
 
 const firstPaint = (page) => page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
+/** The first paint of one line of text in a browser that has just been started. */
+async function textAlone() {
+  const server = createServer((_, answer) => {
+    answer.setHeader('content-type', 'text/html');
+    answer.end('<!doctype html><title>text</title><p>tramline');
+  });
+  await new Promise((listens) => server.listen(0, '127.0.0.1', listens));
+  const browser = await startBrowser();
+  try {
+    const page = await browser.newPage();
+    await page.goto(`http://127.0.0.1:${server.address().port}/`);
+    await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length > 0);
+    return await firstPaint(page);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+/** From a key that turns the tracks by a degree to the figures of the next plan, ms. */
+async function edit(page) {
+  const old = openId(page, 'plan');
+  await page.getByRole('region', { name: 'By hand' }).getByLabel('Direction', { exact: true }).focus();
+  await page.evaluate(() => addEventListener('keydown', () => { window.pressed = performance.now(); }, { once: true, capture: true }));
+  await page.keyboard.press('ArrowUp');
+  const ms = await page.evaluate((before) => new Promise((resolve) => {
+    const look = () => {
+      const now = new URLSearchParams(location.hash.slice(1)).get('plan');
+      if (now && now !== before && document.querySelector('[aria-label="The plan in numbers"]')) resolve(performance.now() - window.pressed);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }), old);
+  await still(page);
+  return ms;
+}
+
+/** On the whole plan of the example field. */
+async function editTimes(browser, server) {
+  const page = await openPage(browser, server.address, {});
+  await mapReady(page);
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  await still(page);
+  const out = [];
+  for (let i = 0; i < 7; i++) out.push(await edit(page));
+  await closePage(page);
+  return out;
+}
+
+const text_alone_ms = await textAlone();
 const browser = await startBrowser();
 const server = await startServer();
 try {
@@ -59,7 +114,7 @@ try {
     later.push(await firstPaint(again));
     await closePage(again);
   }
-  const first_paint_later_ms = later.sort((a, b) => a - b)[2];
+  const edits = await editTimes(browser, server);
   await openField(page, example('riverside.geojson'));
   await planTracks(page);
   const box = await page.evaluate(() => { const b = window.tramlineMap.getBounds(); return [b.getWest(), b.getSouth(), b.getEast(), b.getNorth()]; });
@@ -79,7 +134,10 @@ try {
     await still(page);
     rates[name] = await framesPerSecond(page);
   }
-  console.log(JSON.stringify({ first_paint_ms: Math.round(first_paint_ms), first_paint_later_ms: Math.round(first_paint_later_ms), map_ready_ms: Math.round(map_ms), swaths: SWATHS, frames_per_s: rates }));
+  console.log(JSON.stringify({
+    first_paint_ms: Math.round(first_paint_ms), text_alone_ms: Math.round(text_alone_ms), first_paint_later_ms: Math.round(median(later)),
+    map_ready_ms: Math.round(map_ms), edit_ms: Math.round(median(edits)), swaths: SWATHS, frames_per_s: rates,
+  }));
   await closePage(page);
 } finally {
   await browser.close();
