@@ -44,17 +44,17 @@ Winner winner_for(const Front& front, const Objective& prices) {
 /// Of the range of each number: plans nearer to one another are much alike.
 constexpr double kShownApart = 0.08;
 
-constexpr const char* kRow = "{:>5}  {:>12}  {:>12}  {:>5}  {:>5}  {:>9}  {:>16}  {:>12}  {}";
+constexpr const char* kFrontRow = "{:>5}  {:>12}  {:>12}  {:>5}  {:>5}  {:>9}  {:>16}  {:>12}  {}";
 
 std::string head_row() {
-  return fmt::format(kRow, "plan", "overlap", "uncovered", "turns", "stops", "subfields", "direction", "cost",
-                     "");
+  return fmt::format(kFrontRow, "plan", "overlap", "uncovered", "turns", "stops", "subfields", "direction",
+                     "cost", "");
 }
 
 std::string point_row(const Front& front, std::size_t index) {
   constexpr std::size_t kShown = 2;
   const FrontPoint& point = front.points[index];
-  return fmt::format(kRow, index + 1, fmt::format("{:.1f} m²", plain_zero(point.tally.overlap_m2)),
+  return fmt::format(kFrontRow, index + 1, fmt::format("{:.1f} m²", plain_zero(point.tally.overlap_m2)),
                      fmt::format("{:.1f} m²", plain_zero(point.tally.uncovered_m2)), point.tally.turns,
                      point.tally.stops, point.directions.size(), directions_text(point.directions, kShown),
                      fmt::format("{:.2f}", point.cost), fmt::join(marks_of(front, index), ", "));

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kHour_s = 3600, kHectare_m2 = 1e4;
-constexpr const char* kRow = "{:<24} {:<12} {:>9} {:>9} {:>9} {:>9} {:>11} {:>9} {:>7}\n";
+constexpr const char* kJobRow = "{:<24} {:<12} {:>9} {:>9} {:>9} {:>9} {:>11} {:>9} {:>7}\n";
 
 double efficiency_pct(const JobCost& job) { return 100 * job.cost.field_efficiency; }
 
@@ -63,7 +63,7 @@ const std::vector<std::string> kHead{"field", "machine", "ha",   "hours", "litre
                                      "km",    "euros",   "€/ha", "eff. %"};
 
 std::string line_of(const std::vector<std::string>& c) {
-  return fmt::format(kRow, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
+  return fmt::format(kJobRow, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
 }
 
 }  // namespace

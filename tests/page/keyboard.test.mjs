@@ -1,7 +1,7 @@
 // From an empty store to a file for a terminal with the keyboard alone: no pointer, and nothing is focused by the test. At every step something has
 // the focus, in sight and marked.
 import assert from 'node:assert/strict';
-import { flow } from './support/flow.mjs';
+import { flow, long } from './support/flow.mjs';
 import { mapSettled, newPlan, planShown } from './support/page.mjs';
 import { ask, openId } from './support/stored.mjs';
 
@@ -100,7 +100,7 @@ flow('the example farm, planned and taken to a terminal, by keyboard alone', {},
   await planAndTake(page, server, { typed: 'CCI', button: /^Task set, ISOXML 4$/, name: /\.zip$/ });
 });
 
-flow('a field drawn, an area forbidden, tracks turned, a file taken, and a field by numbers, by keyboard alone', {}, async ({ page, server }) => {
+flow('a field drawn, an area forbidden, tracks turned, a file taken, and a field by numbers, by keyboard alone', { skip: long }, async ({ page, server }) => {
   await enter(page, /^Draw a field$/);
   assert.equal((await focused(page)).tag, 'CANVAS', 'the map has the keyboard');
   await kept(page, 'Draw a field');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { flow, realFile } from './support/flow.mjs';
+import { flow, long, realFile } from './support/flow.mjs';
 import { chooseFile, drawn, figure, goTo, mapSettled, openField, panel, planShown } from './support/page.mjs';
 import { example } from './support/server.mjs';
 import { startTractor } from './support/tractor.mjs';
@@ -130,7 +130,7 @@ flow('a real log from another continent, with a field open: it is replayed witho
 });
 
 const real = realFile('logs', 'isoxml_sh2020_TLG00001.csv');
-flow('a real log: replay it', { skip: real.skip }, async ({ page }) => {
+flow('a real log: replay it', { skip: long || real.skip }, async ({ page }) => {
   await evaluateLog(page, real.file);
   assert.ok((await figure(page, 'Covered')) > 0);
   await page.getByLabel('Speed').selectOption('1000');
@@ -138,7 +138,7 @@ flow('a real log: replay it', { skip: real.skip }, async ({ page }) => {
   await page.getByLabel('Worked so far').waitFor();
 });
 
-flow('the scale of meshes is set by the user: for a log, and anew for the drive', {}, async ({ page, server }) => {
+flow('the scale of meshes is set by the user: for a log, and anew for the drive', { skip: long }, async ({ page, server }) => {
   const drives = async () => (await (await fetch(`${server.address}/api/v1/drives`)).json());
   const openedDrive = async () => (await (await fetch(`${server.address}/api/v1/drives/${(await drives())[0].id}`)).json());
   await openField(page, example('riverside.geojson'));
@@ -216,7 +216,7 @@ flow('headings that contradict the way driven are told of, and read otherwise by
   assert.equal(await drive.getByLabel('Headings in the log').inputValue(), 'math');
 });
 
-flow('watch a machine by meshes', {}, async ({ page, server }) => {
+flow('watch a machine by meshes', { skip: long }, async ({ page, server }) => {
   const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 400, most: 800 });
   try {
     await goTo(page, 'Review');

@@ -38,7 +38,8 @@ Request random_request(std::mt19937_64& random) {
   out.settings.boundary = pick(3) == 0 ? EdgeKind::kHard : EdgeKind::kSoft;
   out.settings.merge_threshold = Angle::degrees(pick(2) * 15);
   out.settings.decomposition_threshold = Angle::degrees(180 + 25 * pick(2));
-  out.settings.strategy = pick(2) == 0 ? Strategy::kSweep : Strategy::kBest;
+  // The best search takes several times as long as the sweep.
+  out.settings.strategy = pick(4) != 0 ? Strategy::kSweep : Strategy::kBest;
   return out;
 }
 
@@ -103,7 +104,7 @@ TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
 }
 
 /// The search along curves takes many times as long.
-TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(50, TrackShape::kCurved); }
+TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(30, TrackShape::kCurved); }
 
 /// The other road to what each swath overlaps: what polygon booleans leave of it after those before it. Along
 /// the first edges of the field, by parallel tracks with detours and by Zhou's own construction.
@@ -181,7 +182,7 @@ TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
 
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
-  for_random_fields(80, [](const Field& field, const Request& request) {
+  for_random_fields(50, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);
@@ -241,7 +242,7 @@ TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
 // The candidates of the sweep are the same set whatever the frame, so the least cost is the same as long as
 // no two candidates tie: random fields are in general position.
 TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
-  for_random_fields(60, [](const Field& field, Request request) {
+  for_random_fields(40, [](const Field& field, Request request) {
     request.settings.strategy = Strategy::kSweep;
     const auto plan = try_plan(field, request);
     if (!plan) return false;
@@ -263,7 +264,7 @@ TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
 /// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
 /// road on the areas is the same.
 TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
-  for_random_fields(60, [](const Field& field, const Request& request) {
+  for_random_fields(40, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
     const Polygon waterway{

@@ -31,6 +31,8 @@ using Boom = std::vector<Section>;
 
 /// The number of section states that ISO 11783-11 condenses into sixteen values (DDI 161-176).
 inline constexpr std::size_t kMostSections = 256;
+/// No machine works wider, m: where a log says so, it is wrong.
+inline constexpr double kWidestMachine_m = 500;
 using SectionStates = std::bitset<kMostSections>;
 
 enum class WorkState : std::uint8_t { kUnknown, kOff, kOn };

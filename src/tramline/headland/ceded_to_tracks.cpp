@@ -38,8 +38,8 @@ bool may_hold_a_track(const Polygon& polygon, const Strip& strip) {
 
 bool holds_a_track(const Polygon& polygon, const Strip& strip) {
   if (!may_hold_a_track(polygon, strip)) return false;
-  // Vertices beside chords, which the grid leaves where two regions share an edge, can cost the polygon engine
-  // a thousand times what it takes without them.
+  // Vertices beside chords, which the grid leaves where two regions share an edge, can cost the polygon
+  // engine a thousand times what it takes without them.
   const Polygon outline = simplified(polygon, (1 - kAlmost) * 0.25 * strip.width_m);
   return !buffered({outline}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
 }

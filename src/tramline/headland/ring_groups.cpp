@@ -93,7 +93,7 @@ bool disturbs(const RingGroup& group, const Boundary& boundary, int number, doub
 }
 
 /// The input of groups.
-struct Scene {
+struct GroupScene {
   const std::vector<Boundary>& boundaries;
   const HeadlandTerms& terms;
   int number;
@@ -106,7 +106,7 @@ struct Scene {
 };
 
 /// Joins the first two groups of which one disturbs the other; false where there are none.
-bool merge_first(std::vector<RingGroup>& groups, const Scene& scene) {
+bool merge_first(std::vector<RingGroup>& groups, const GroupScene& scene) {
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = 0; j < groups.size(); ++j) {
       const auto& others = groups[j].members;
@@ -154,7 +154,7 @@ std::vector<HeadlandPass> rings_round(const std::vector<std::size_t>& indices,
 std::vector<RingGroup> ring_groups(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                    int number, const GroundToWork& to_work,
                                    const std::vector<HeadlandPass>& before) {
-  const Scene scene{boundaries, terms, number, to_work, before};
+  const GroupScene scene{boundaries, terms, number, to_work, before};
   std::vector<RingGroup> groups(boundaries.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     groups[i].members = {i};

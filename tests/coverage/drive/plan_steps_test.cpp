@@ -124,7 +124,7 @@ RouteLeg along_pass(std::size_t pass, Point from, double heading_deg, double len
   return out;
 }
 
-RouteLeg idle(Point from, double heading_deg, double length_m) {
+RouteLeg with_work_off(Point from, double heading_deg, double length_m) {
   RouteLeg out = working(LegKind::kTransit, from, heading_deg, length_m);
   out.work = false;
   return out;
@@ -136,8 +136,9 @@ TEST(PlanSteps, ARouteIsDrivenInItsOrderAndSense) {
   Plan plan = plan_with({{{0, 0}, {10, 0}}, {{0, 4}, {10, 4}}});
   plan.headland.passes = {pass_along({0, 10}, {20, 10})};
   const double without_route_m2 = gross_m2(steps_of(plan));
-  plan.route.legs = {along_pass(0, {20, 10}, 270, 20), idle({0, 10}, 180, 6), along_piece(1, {0, 4}, 90, 10),
-                     idle({10, 4}, 180, 4), along_piece(0, {10, 0}, 270, 10)};
+  plan.route.legs = {along_pass(0, {20, 10}, 270, 20), with_work_off({0, 10}, 180, 6),
+                     along_piece(1, {0, 4}, 90, 10), with_work_off({10, 4}, 180, 4),
+                     along_piece(0, {10, 0}, 270, 10)};
   const std::vector<PlanRun> runs = runs_of(plan);
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_EQ(runs[0].run, 2);
@@ -206,7 +207,7 @@ TEST(PlanSteps, AClosedPassMayBeEnteredOnAnArc) {
 TEST(PlanSteps, EveryPieceAndPassIsDrivenOnce) {
   Plan plan = plan_with({{{0, 0}, {10, 0}}, {{0, 4}, {10, 4}}});
   plan.headland.passes = {pass_along({0, 10}, {20, 10})};
-  RouteLeg across = idle({8, 10}, 90, 2);
+  RouteLeg across = with_work_off({8, 10}, 90, 2);
   across.pass = 0;
   plan.route.legs = {along_pass(0, {0, 10}, 90, 8), across, along_pass(0, {10, 10}, 90, 10),
                      along_piece(1, {0, 4}, 90, 10), along_piece(7, {0, 0}, 90, 10)};

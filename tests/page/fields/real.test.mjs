@@ -2,12 +2,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { flow, realFile } from '../support/flow.mjs';
+import { flow, long, realFile } from '../support/flow.mjs';
 import { chooseFile, drawn, figure, goTo, panel, planShown, still } from '../support/page.mjs';
 import { ask, storeField, storePlan } from '../support/stored.mjs';
 
 const curated = realFile('fields', 'fields.geojson');
-const skip = process.env.TRAMLINE_LONG ? curated.skip : 'real fields take their time: make long-page';
+const skip = long || curated.skip;
 const readFields = () => JSON.parse(readFileSync(curated.file)).features;
 
 flow('three hundred real fields are stored, found on the map of the world, and opened one by one', { skip, timeout: 1_800_000 }, async ({ page, server }) => {

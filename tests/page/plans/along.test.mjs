@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { flow } from '../support/flow.mjs';
+import { flow, long } from '../support/flow.mjs';
 import { goTo, makePlan, openField, panel } from '../support/page.mjs';
 import { tramline } from '../support/server.mjs';
 import { openId, smallField } from '../support/stored.mjs';
@@ -17,7 +17,7 @@ async function saved(page, press, folder) {
 const entries = (zip) => execFileSync('unzip', ['-Z1', zip], { encoding: 'utf8' }).trim().split('\n').sort();
 const entry = (zip, name) => execFileSync('unzip', ['-p', zip, name], { encoding: 'utf8' });
 
-flow('an empty store to the file of a terminal', {}, async ({ page, server }) => {
+flow('an empty store to the file of a terminal', { skip: long }, async ({ page, server }) => {
   let clicks = 0;
   const click = async (locator) => {
     clicks++;

@@ -1,6 +1,6 @@
 // A hand on the plan: each step is planned at once, priced against the plan before, and can be undone.
 import assert from 'node:assert/strict';
-import { flow } from '../support/flow.mjs';
+import { flow, long } from '../support/flow.mjs';
 import { clickMap, goTo, makePlan, newPlan, openField, planTracks, still } from '../support/page.mjs';
 import { example } from '../support/server.mjs';
 import { ask, openId, smallField } from '../support/stored.mjs';
@@ -146,7 +146,6 @@ flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   assert.equal(await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).isDisabled(), true);
 });
 
-const long = process.env.TRAMLINE_LONG ? false : 'a whole job takes its time: make long-page';
 
 flow('the whole job by hand', { skip: long }, async ({ page, server }) => {
   await openField(page, smallField(server.folder, 'angle'));

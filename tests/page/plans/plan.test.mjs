@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
-import { flow, realFile } from '../support/flow.mjs';
+import { flow, long, realFile } from '../support/flow.mjs';
 import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, planTracks, visible } from '../support/page.mjs';
 import { example, tramline } from '../support/server.mjs';
 
@@ -170,7 +170,7 @@ flow('the whole route: legs by kind on the map, their sums, a gate', {}, async (
 });
 
 const real = realFile('fields', 'fields.geojson');
-flow('a real field: plan, end rule, compare, export, check', { skip: real.skip }, async (context) => {
+flow('a real field: plan, end rule, compare, export, check', { skip: long || real.skip }, async (context) => {
   const { page } = context;
   await page.getByLabel('Choose a file with a field').setInputFiles(real.file);
   await page.getByRole('heading', { name: /Which field/ }).waitFor();

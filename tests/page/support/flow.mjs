@@ -34,6 +34,9 @@ export function flow(name, options, run) {
   });
 }
 
+/** Why flows are skipped that make others' way again on other data, or take long; false in `make long-page`. */
+export const long = process.env.TRAMLINE_LONG ? false : 'takes its time: make long-page';
+
 /** A file of real data, or why the test is skipped. */
 export function realFile(...parts) {
   const folder = process.env.TRAMLINE_DATA;

@@ -21,9 +21,9 @@ struct Station {
 };
 
 /// Follows a path with the vertices of a line that should show it. All in the frame of the piece.
-class Walk {
+class PathWalk {
  public:
-  explicit Walk(const Path& path) : path_(path), at_{0, path.front().from} {}
+  explicit PathWalk(const Path& path) : path_(path), at_{0, path.front().from} {}
 
   /// Whether the next vertex is on the path ahead, and the chord to it is near to all of the path between.
   bool goes_on_to(Point vertex) {
@@ -78,7 +78,7 @@ class Walk {
 /// The index of the vertex at which a line first leaves the path; nullopt where it shows the whole path.
 std::optional<std::size_t> first_astray(const std::vector<Point>& line, const Path& path) {
   if (line.empty() || distance(line.front(), path.front().from) > kSaidTwice) return 0;
-  Walk walk(path);
+  PathWalk walk(path);
   for (std::size_t i = 0; i < line.size(); ++i)
     if (!walk.goes_on_to(line[i])) return i;
   if (!walk.is_over() || distance(line.back(), path.back().to) > kSaidTwice) return line.size() - 1;

@@ -49,9 +49,9 @@ struct Place {
   std::size_t index = 0;
 };
 
-class Walk {
+class MeshWalk {
  public:
-  explicit Walk(const MeshRegion& region) : region_(region) {
+  explicit MeshWalk(const MeshRegion& region) : region_(region) {
     for (int y = region.first_row(); y < region.end_row(); ++y)
       walked_.emplace_back(region.row(y).size(), std::uint8_t{0});
   }
@@ -142,7 +142,7 @@ Point corner_inside(const MeshRing& ring, double mesh_m) {
 
 std::vector<MeshRing> connected_rings(const MeshRegion& region) {
   std::vector<MeshRing> out;
-  Walk walk(region);
+  MeshWalk walk(region);
   for (int y = region.first_row(); y < region.end_row(); ++y)
     for (std::size_t i = 0; i < region.row(y).size(); ++i)
       for (std::size_t side = 0; side < kSides.size(); ++side)

@@ -108,9 +108,9 @@ struct PointHash {
 };
 
 /// Walks along chains, ground on the left.
-class Walk {
+class ChainWalk {
  public:
-  explicit Walk(std::vector<Chain> chains) : chains_(std::move(chains)), used_(chains_.size(), false) {
+  explicit ChainWalk(std::vector<Chain> chains) : chains_(std::move(chains)), used_(chains_.size(), false) {
     std::sort(chains_.begin(), chains_.end(), [](const Chain& a, const Chain& b) {
       return std::tie(a.from, a.second, a.to, a.count) < std::tie(b.from, b.second, b.to, b.count);
     });
@@ -222,7 +222,7 @@ Region assembled(const std::vector<TileOutline>& outlines, std::vector<BorderEdg
   }
   append_border(border, side, chains);
   std::vector<GridRing> outer, holes;
-  for (const GridRing& walked : Walk(std::move(chains)).rings()) {
+  for (const GridRing& walked : ChainWalk(std::move(chains)).rings()) {
     GridRing ring = cornered(walked);
     if (ring.size() < 3) continue;
     const Int128 size = twice_area(ring);

@@ -20,7 +20,7 @@ std::vector<Interval> row_spans(const Segments& segments) {
 }
 
 /// Tiles that the boundary comes this close to are its tiles too, units.
-constexpr std::int64_t kTouch = 64;
+constexpr std::int64_t kBesideSegment = 64;
 
 /// Shorter edges may point anywhere.
 constexpr double kTelling = 1024;
@@ -63,7 +63,7 @@ FieldCells::FieldCells(const Region& field, const TileFrame& frame)
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& s = segments_[i];
     each_tile_reached(
-        frame, 2, [&](std::size_t k) { return k == 0 ? s.from : s.to; }, kTouch,
+        frame, 2, [&](std::size_t k) { return k == 0 ? s.from : s.to; }, kBesideSegment,
         [&](TileIndex tile) { passing_.emplace_back(tile, static_cast<std::uint32_t>(i)); });
   }
   std::sort(passing_.begin(), passing_.end());

@@ -19,7 +19,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int kPatience_ms = 10000;
-constexpr int kAgain_ms = 1000;
 
 struct FreeAddresses {
   void operator()(addrinfo* list) const { freeaddrinfo(list); }

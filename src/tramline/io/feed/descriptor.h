@@ -25,6 +25,9 @@ class Descriptor {
   int number_ = -1;
 };
 
+/// What is lost is opened again so often, ms.
+inline constexpr int kAgain_ms = 1000;
+
 /// The result of one non-blocking read of a descriptor.
 enum class ReadResult { kBytes, kNothingYet, kEnd, kFault };
 

@@ -20,7 +20,6 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int kAgain_ms = 1000;
 constexpr const char* kUsualBaud = "115200";
 constexpr std::array<std::pair<const char*, speed_t>, 12> kSpeeds = {{{"1200", B1200},
                                                                       {"2400", B2400},

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kGuidance = "5", kAPlus = "2", kPivot = "4";
 
 /// One guidance line as it stands in the set.
-struct Found {
+struct FoundLine {
   std::string id;
   std::string name;
   pugi::xml_node line;     ///< LSG
@@ -39,7 +39,7 @@ Point end_of_a_plus(Point a, double heading_deg) {
 }
 
 /// The line's points, at least two of them; nullopt with the reason in `fault`.
-std::optional<std::vector<Point>> line_of(const Found& found, std::string& fault) {
+std::optional<std::vector<Point>> line_of(const FoundLine& found, std::string& fault) {
   const std::string_view kind = found.pattern.attribute("C").value();
   if (kind == kPivot) {
     fault = "it is a pivot, a circle that tracks cannot be parallel to";
@@ -54,8 +54,8 @@ std::optional<std::vector<Point>> line_of(const Found& found, std::string& fault
   return std::nullopt;
 }
 
-std::vector<Found> lines_in(const pugi::xml_node& partfield) {
-  std::vector<Found> out;
+std::vector<FoundLine> lines_in(const pugi::xml_node& partfield) {
+  std::vector<FoundLine> out;
   for (const pugi::xml_node group : partfield.children("GGP"))
     for (const pugi::xml_node pattern : group.children("GPN"))
       for (const pugi::xml_node line : pattern.children("LSG"))
@@ -83,7 +83,7 @@ RawDataset empty_guidance(const std::string& file) {
 
 void add_guidance(const pugi::xml_node& partfield, const std::string& file, RawDataset& dataset) {
   RawLayer& layer = dataset.layers.front();
-  for (const Found& found : lines_in(partfield)) {
+  for (const FoundLine& found : lines_in(partfield)) {
     std::string fault;
     auto line = line_of(found, fault);
     if (!line) {

@@ -66,23 +66,23 @@ std::string joined(const std::string& folder, const std::string& name) {
 }
 
 /// Where a path leads: its root for GDAL and the folders there that hold task sets.
-struct Found {
+struct TaskSets {
   std::string root;
   std::set<std::string> folders;
   bool readable = true;
 };
 
-Found find(const std::string& path) {
+TaskSets find(const std::string& path) {
   std::error_code error;
   if (is_zip(path)) {
-    Found out{"/vsizip/{" + path + "}", {}, true};
+    TaskSets out{"/vsizip/{" + path + "}", {}, true};
     const std::vector<std::string> names = listed(VSIReadDirRecursive(out.root.c_str()));
     out.readable = !names.empty();
     out.folders = task_folders(names);
     return out;
   }
   if (std::filesystem::is_directory(path, error)) {
-    Found out{path, {}, true};
+    TaskSets out{path, {}, true};
     std::vector<std::string> names = listed(VSIReadDir(path.c_str()));
     // The folder itself, or the one that holds the folder TASKDATA.
     const std::vector<std::string> top = names;
@@ -110,7 +110,7 @@ TaskFiles TaskFiles::open(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw bad_input(fmt::format("there is no file '{}'; check the path", path));
-  const Found found = find(path);
+  const TaskSets found = find(path);
   if (!found.readable)
     throw bad_input(fmt::format(
         "'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", path));

@@ -11,7 +11,6 @@ namespace tramline::io {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr double kWidest_m = 500;
 /// Offsets closer than this are the same across; along the machine, tools stand further apart.
 constexpr double kSamePlace_m = 1e-3, kBehind_m = 0.05;
 
@@ -80,7 +79,8 @@ class PartsOfTree {
  private:
   std::optional<double> offset_m(std::size_t element, unsigned identifier) const {
     const auto offset = values_.value(element, identifier);
-    if (!offset || std::abs(static_cast<double>(*offset)) > kWidest_m / kMillimetre) return std::nullopt;
+    if (!offset || std::abs(static_cast<double>(*offset)) > kWidestMachine_m / kMillimetre)
+      return std::nullopt;
     return static_cast<double>(*offset) * kMillimetre;
   }
 
@@ -191,7 +191,7 @@ std::optional<double> width_of(std::size_t element, const ElementValues& values)
     const auto width = values.value(element, identifier);
     if (!width) continue;
     const double metres = static_cast<double>(*width) * kMillimetre;
-    return metres >= 0 && metres <= kWidest_m ? std::optional(metres) : std::nullopt;
+    return metres >= 0 && metres <= kWidestMachine_m ? std::optional(metres) : std::nullopt;
   }
   return std::nullopt;
 }

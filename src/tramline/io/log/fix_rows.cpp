@@ -14,8 +14,6 @@
 namespace tramline::io {
 namespace {
 
-// No machine is as wide.
-constexpr double kWidest_m = 500;
 // Rows that differ in one of them are of different units.
 constexpr std::array kUnitColumns = {LogColumn::kMachine, LogColumn::kSection, LogColumn::kUnit,
                                      LogColumn::kPass};
@@ -69,7 +67,8 @@ std::optional<FixRows::Widths> FixRows::widths() {
     const auto value = number_of(part);
     any = any || value.has_value();
     const double width_m = value ? *value * factor : 0;
-    if ((!part.empty() && !value) || width_m < 0 || width_m > kWidest_m || out.size() == kMostSections) {
+    if ((!part.empty() && !value) || width_m < 0 || width_m > kWidestMachine_m ||
+        out.size() == kMostSections) {
       ++bad_widths_;
       return std::nullopt;
     }

@@ -9,7 +9,7 @@
 namespace tramline::io {
 namespace {
 
-constexpr std::size_t kCondensed = 16;
+constexpr std::size_t kCondensedSections = 16;
 
 std::optional<std::uint32_t> bits_in(std::string_view text) {
   bool hexadecimal = text.find_first_of("abcdefABCDEF") != std::string_view::npos;
@@ -52,22 +52,22 @@ std::optional<SectionText> section_signs(std::string_view text, SectionOrder ord
 
 std::optional<SectionText> condensed_sections(std::string_view text) {
   text = trimmed(text);
-  std::array<unsigned, kCondensed> values{};
-  if (text.size() == kCondensed && text.find_first_not_of("0123") == std::string_view::npos) {
-    for (std::size_t i = 0; i < kCondensed; ++i) values[i] = static_cast<unsigned>(text[i] - '0');
+  std::array<unsigned, kCondensedSections> values{};
+  if (text.size() == kCondensedSections && text.find_first_not_of("0123") == std::string_view::npos) {
+    for (std::size_t i = 0; i < kCondensedSections; ++i) values[i] = static_cast<unsigned>(text[i] - '0');
   } else {
     const auto bits = bits_in(text);
     if (!bits) return std::nullopt;
-    for (std::size_t i = 0; i < kCondensed; ++i) values[i] = *bits >> (2 * i) & 3U;
+    for (std::size_t i = 0; i < kCondensedSections; ++i) values[i] = *bits >> (2 * i) & 3U;
   }
   SectionText out;
   out.known = true;
   std::size_t installed = 0;
-  for (std::size_t i = 0; i < kCondensed; ++i) {
+  for (std::size_t i = 0; i < kCondensedSections; ++i) {
     out.states[i] = values[i] == 1;
     if (values[i] != 3) installed = i + 1;
   }
-  if (installed < kCondensed) out.count = installed;
+  if (installed < kCondensedSections) out.count = installed;
   return out;
 }
 

@@ -6,8 +6,6 @@
 namespace tramline::io {
 namespace {
 
-constexpr double kWidest_m = 500;
-
 /// What follows the key, if the line is "#key…" or, from the program itself, "#!key…".
 std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
   if (!line.starts_with('#')) return std::nullopt;
@@ -21,7 +19,7 @@ std::optional<std::vector<double>> widths_in(std::string_view text) {
   while (!text.empty()) {
     const std::size_t bar = text.find('|');
     const std::optional<double> width_m = number_in(trimmed(text.substr(0, bar)));
-    if (!width_m || !(*width_m >= 0 && *width_m <= kWidest_m) || out.size() == kMostSections)
+    if (!width_m || !(*width_m >= 0 && *width_m <= kWidestMachine_m) || out.size() == kMostSections)
       return std::nullopt;
     out.push_back(*width_m);
     text = bar == std::string_view::npos ? std::string_view() : text.substr(bar + 1);

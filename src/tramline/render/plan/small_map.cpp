@@ -7,8 +7,8 @@
 namespace tramline::render {
 namespace {
 
-constexpr double kTallestMap = 1.2;  ///< of its width
-constexpr double kMapPadding = 8;
+constexpr double kTallestSmallMap = 1.2;  ///< of its width
+constexpr double kSmallMapPadding = 8;
 /// Lines of small maps are thinner than those of a page of its own.
 constexpr double kMapScale = 0.6;
 
@@ -44,7 +44,7 @@ Box drawn_box(const std::vector<Plan>& plans) {
 
 double small_map_height(const Box& drawn_m, double width_px) {
   const double shape = std::max(drawn_m.height(), 0.01) / std::max(drawn_m.width(), 0.01);
-  return std::clamp(shape, 0.2, kTallestMap) * width_px;
+  return std::clamp(shape, 0.2, kTallestSmallMap) * width_px;
 }
 
 double small_map_scale(const Box& drawn_m, const Box& map_px, double k) {
@@ -52,7 +52,7 @@ double small_map_scale(const Box& drawn_m, const Box& map_px, double k) {
 }
 
 MapView small_map_view(const Box& drawn_m, const Box& map_px, double k) {
-  return view_of(drawn_m, map_px, kMapPadding * k);
+  return view_of(drawn_m, map_px, kSmallMapPadding * k);
 }
 
 void draw_small_map(Canvas& canvas, const Plan& plan, const Box& drawn_m, const Box& map_px, double k) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/tolerances.h"
@@ -16,7 +15,6 @@ namespace {
 constexpr double kMostPlaces = 500;
 constexpr double kWholeMetre_m = 1e-3;
 constexpr double kNextPasses_widths = 1.5;
-constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
 Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }

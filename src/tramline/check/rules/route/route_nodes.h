@@ -2,12 +2,16 @@
 // What a route joins, and the least times of ways between: facts of the rule about its bound.
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
+
+/// The time of a way that there is not.
+inline constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 enum class NodeKind { kLineEnd, kGate, kClosedPass };
 

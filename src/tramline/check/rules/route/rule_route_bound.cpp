@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tramline/check/rules/route/route_nodes.h"
@@ -14,7 +13,6 @@ namespace {
 
 /// Prices are times of ways. Sums of far larger ones, which cancel, prove anything by rounding alone.
 constexpr double kLargestPrice_s = 1e7;
-constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 class Bound {
  public:
