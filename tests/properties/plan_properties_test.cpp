@@ -83,7 +83,7 @@ class PlanProperties : public ::testing::Test {
 
 /// The other road: the useful area by polygon booleans.
 TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
-  for_random_fields(80, [](const Field& field, const Request& request) {
+  for_random_fields(50, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-6 * area(Polygon{field.outer, {}});
@@ -100,7 +100,7 @@ TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
 }
 
 TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
-  expect_overlaps_to_sum_up(100, TrackShape::kStraight);
+  expect_overlaps_to_sum_up(60, TrackShape::kStraight);
 }
 
 /// The search along curves takes many times as long.
