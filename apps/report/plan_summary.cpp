@@ -48,7 +48,7 @@ std::vector<Direction> worked_directions(const Plan& plan) {
 }
 
 /// "74 tracks at 92.53° and 8 headland passes"
-std::string headland_passes_text(const Plan& plan) {
+std::string tracks_and_passes_text(const Plan& plan) {
   constexpr std::size_t kShown = 4;
   const std::string kind = is_curved(plan) ? fmt::format("{} ", kind_of_tracks(plan)) : "";
   std::string out;
@@ -63,7 +63,7 @@ std::string headland_passes_text(const Plan& plan) {
 std::string passes_row(const Plan& plan) {
   return fmt::format("passes       {}, each {:g} m wide: {}; {}, {}\n",
                      plan.pieces.size() + plan.headland.passes.size(), plan.machine.width_m,
-                     headland_passes_text(plan),
+                     tracks_and_passes_text(plan),
                      counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
                      counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"));
 }

@@ -30,10 +30,18 @@ struct Strip {
 /// Strips of just the width and length asked for are accepted in spite of chords and grids.
 constexpr double kAlmost = 0.999;
 
-/// Whether the polygon is large and long enough for a track; neither is any part of one that is not.
-bool may_hold_a_track(const Polygon& polygon, const Strip& strip) {
-  if (area(polygon) < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
-  return extends_over(polygon, kAlmost * strip.least_length_m);
+double perimeter_m(const Polygon& polygon) {
+  double out = perimeter(polygon.outer);
+  for (const Ring& hole : polygon.holes) out += perimeter(hole);
+  return out;
+}
+
+/// Whether the polygon is large and long enough for a track; neither is any part of one that is not. Its
+/// edges may lie `off_m` beside the true ones.
+bool may_hold_a_track(const Polygon& polygon, const Strip& strip, double off_m = 0) {
+  const double largest_m2 = area(polygon) + off_m * perimeter_m(polygon);
+  if (largest_m2 < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
+  return extends_over(polygon, kAlmost * strip.least_length_m - 2 * off_m);
 }
 
 bool holds_a_track(const Polygon& polygon, const Strip& strip) {
@@ -48,15 +56,16 @@ void keep_tracks(Region& region, const Strip& strip) {
   std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
 }
 
-/// The grid moves edges of a part.
-constexpr double kMore = 0.99;
+/// Whether some part of the polygon may hold a track; the grid moves edges of a part.
+bool may_have_a_part_for(const Polygon& polygon, const Strip& strip, double off_m = 0) {
+  constexpr double kMore = 0.99;
+  return may_hold_a_track(polygon, {kMore * strip.width_m, kMore * strip.least_length_m}, off_m);
+}
 
-/// The polygons of which some part may hold a track.
 Region with_parts_for(const Region& region, const Strip& strip) {
   Region out;
   for (const Polygon& polygon : region)
-    if (may_hold_a_track(polygon, {kMore * strip.width_m, kMore * strip.least_length_m}))
-      out.push_back(polygon);
+    if (may_have_a_part_for(polygon, strip)) out.push_back(polygon);
   return out;
 }
 
@@ -69,13 +78,8 @@ bool may_cede(const Headland& headland, double width_m, const std::vector<Strip>
   const double sagitta_m = kRoughSagitta_share * width_m;
   const Region roughly = unworked_ground(headland, width_m, sagitta_m);
   return std::any_of(roughly.begin(), roughly.end(), [&](const Polygon& part) {
-    double perimeter_m = perimeter(part.outer);
-    for (const Ring& hole : part.holes) perimeter_m += perimeter(hole);
-    return std::any_of(strips.begin(), strips.end(), [&](const Strip& strip) {
-      const double length_m = kMore * strip.least_length_m;
-      return area(part) + sagitta_m * perimeter_m >= kMore * strip.width_m * length_m &&
-             extends_over(part, kAlmost * length_m - 2 * sagitta_m);
-    });
+    return std::any_of(strips.begin(), strips.end(),
+                       [&](const Strip& strip) { return may_have_a_part_for(part, strip, sagitta_m); });
   });
 }
 

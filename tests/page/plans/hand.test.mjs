@@ -146,7 +146,6 @@ flow('the direction is dragged on the map', {}, async ({ page, server }) => {
   assert.equal(await hand(page).getByRole('button', { name: 'Undo the last step by hand' }).isDisabled(), true);
 });
 
-
 flow('the whole job by hand', { skip: long }, async ({ page, server }) => {
   await openField(page, smallField(server.folder, 'angle'));
   await goTo(page, 'Plan');

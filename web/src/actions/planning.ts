@@ -13,13 +13,12 @@ import { t } from '../words';
 let run = 0;
 let timer = 0;
 
-/** Whether somebody has a hand on the plan: then the next one is to be seen at once. */
-function handIsOn(): boolean {
-  const { past, future } = hand.get();
-  return past.length + future.length > 0;
-}
+/** While somebody has a hand on the plan, the next one is to be seen at once. */
 const AT_ONCE_S = 1;
-const soon = (): { seconds?: number } => (handIsOn() ? { seconds: AT_ONCE_S } : {});
+function soon(): { seconds?: number } {
+  const { past, future } = hand.get();
+  return past.length + future.length > 0 ? { seconds: AT_ONCE_S } : {};
+}
 
 /** Whether edits can begin from the plan: it is stored, and of the shape that the field has now. */
 export const editable = (plan: string) => plans.get().list.some((item) => item.id === plan && !item.earlier_shape);
@@ -35,8 +34,9 @@ async function foundBest(): Promise<Best | null> {
 
 /** The plan that the next one is an edit of; null where it has to be planned anew. */
 async function editOf(field: string): Promise<string | null> {
+  const { past, future } = hand.get();
   const best = hand.get().best ?? await foundBest();
-  if (!handIsOn() || best?.field !== field || !editable(best.plan) || best.asked !== butForTheHand(form.get(), field)) return null;
+  if (past.length + future.length === 0 || best?.field !== field || !editable(best.plan) || best.asked !== butForTheHand(form.get(), field)) return null;
   return best.plan;
 }
 
@@ -110,9 +110,7 @@ export async function cancelCheck(): Promise<void> {
   if (job) await api.cancelJob(job.id);
 }
 
-/** Numbers are typed digit by digit; a hand's steps are whole ones, of which a held key makes many. */
 const PAUSE_MS = 350;
-const PAUSE_BY_HAND_MS = 80;
 
 /** What a plan comes out by: the name of a machine changes nothing. */
 function whatMatters(field: string): string {
@@ -131,7 +129,7 @@ export function planAtChanges(): void {
     clearTimeout(timer);
     const open = plans.get().open;
     if (isShowing() || !form.get().again || !field || !open || open.field !== field.id) return;
-    timer = window.setTimeout(() => void attempt(() => makePlan(true)), handIsOn() ? PAUSE_BY_HAND_MS : PAUSE_MS);
+    timer = window.setTimeout(() => void attempt(() => makePlan(true)), PAUSE_MS);
   });
 }
 
