@@ -37,7 +37,7 @@ class RoadmapWays {
   /// The words from a pose to poses of other lines ahead of it that lead on, whether they have room or not.
   const std::vector<Change>& changes(std::size_t pose);
 
-  /// A way with room.
+  /// A way with room. Those that are given out stay where they are.
   struct Way {
     SteeredPath path;
     double cost_s = 0;  ///< cost_seconds()
@@ -45,7 +45,7 @@ class RoadmapWays {
   /// The first word with room of changes(from)[number]; null where none has. Precondition: these were asked
   /// for.
   const Way* change(std::size_t from, std::size_t number);
-  /// The first word with room between any two poses; null where none has. Valid until the next call.
+  /// The first word with room between any two poses; null where none has.
   const Way* word(const Pose& from, const Pose& to);
   /// The way along the line to the pose that follows; null where it has no room.
   const Way* along(std::size_t pose);

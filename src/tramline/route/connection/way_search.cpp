@@ -6,7 +6,6 @@
 
 #include "tramline/route/connection/way.h"
 #include "tramline/turns/manoeuvres/dubins.h"
-#include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
 namespace {
@@ -20,9 +19,6 @@ constexpr std::size_t kLooksAhead = 50;
 constexpr double kHaste = 1.2;
 
 enum class Step { kWord, kAlong };
-/// The cost of a step is a lower bound, or what it is with room.
-enum class Known { kAtLeast, kSettled };
-
 /// From one place to another. The numbers of places: beginnings, poses of the roadmap, ends.
 struct Move {
   std::size_t from = 0;
@@ -36,8 +32,8 @@ struct Proposal {
   double estimate_s = 0;  ///< of the whole way
   double cost_s = 0;      ///< up to the end of the step
   Move move{};
-  bool settled = false;
-  std::size_t number = 0;  ///< breaks ties
+  const SteeredPath* way = nullptr;  ///< once it is settled
+  std::size_t number = 0;            ///< breaks ties
 
   friend bool operator>(const Proposal& a, const Proposal& b) {
     return a.estimate_s != b.estimate_s ? a.estimate_s > b.estimate_s : a.number > b.number;
@@ -49,6 +45,8 @@ std::vector<Pose> poses_of(const std::vector<WayEnd>& ends) {
   for (const WayEnd& end : ends) out.push_back(end.pose);
   return out;
 }
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 class WaySearch {
  public:
@@ -76,14 +74,14 @@ class WaySearch {
       open_.pop();
       const std::size_t to = next.move.to;
       if (visits_[to].reached || leads_nowhere(to)) continue;
-      if (!next.settled) {
+      if (next.way == nullptr) {
         settle(next.move);
         continue;
       }
       visits_[to].reached = true;
       visits_[to].cost_s = next.cost_s;
       visits_[to].from = next.move.from;
-      visits_[to].way = std::move(ways_[next.number]);
+      visits_[to].way = next.way;
       if (is_end(to)) return found(to);
       if (++reached == kLooksAhead) drop_ends_that_nothing_enters();
       leave(to);
@@ -97,8 +95,11 @@ class WaySearch {
     bool reached = false;
     double least_s = -1;  ///< negative until computed
     double cost_s = 0;
+    double settled_s = std::numeric_limits<double>::infinity();  ///< the least cost of a settled step
     std::size_t from = 0;
-    SteeredPath way{};
+    const SteeredPath* way = nullptr;
+    std::size_t nearest_end = kNone;  ///< to which the shortest Dubins path is so long
+    double to_nearest_m = 0;
   };
 
   bool is_begin(std::size_t place) const { return place < begins_.size(); }
@@ -114,18 +115,27 @@ class WaySearch {
   /// Of the way from a place to the nearest end: no way forward is shorter than a shortest Dubins path.
   double least_s(std::size_t place) {
     if (is_end(place)) return 0;
-    double& known_s = visits_[place].least_s;
-    if (known_s >= 0) return known_s;
-    known_s = std::numeric_limits<double>::infinity();
+    Visit& visit = visits_[place];
+    if (visit.least_s >= 0) return visit.least_s;
+    visit.least_s = std::numeric_limits<double>::infinity();
     const Pose& from = pose(place);
-    for (const WayEnd& end : ends_) {
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const WayEnd& end = ends_[i];
       const double hasty_s = kHaste * distance(from.at, end.pose.at) / speed_;
-      if (std::max(hasty_s, least_length(from, end.pose, radius_m_) / speed_) + end.cost_s >= known_s)
-        continue;
-      const double forward_s = dubins_length(from, end.pose, radius_m_) / speed_;
-      known_s = std::min(known_s, std::max(hasty_s, forward_s) + end.cost_s);
+      if (hasty_s + end.cost_s >= visit.least_s) continue;
+      const double forward_m = dubins_length(from, end.pose, radius_m_);
+      const double least_s = std::max(hasty_s, forward_m / speed_) + end.cost_s;
+      if (least_s >= visit.least_s) continue;
+      visit.least_s = least_s;
+      visit.nearest_end = place_of_end(i);
+      visit.to_nearest_m = forward_m;
     }
-    return known_s;
+    return visit.least_s;
+  }
+
+  double shortest_m(std::size_t from, std::size_t to) const {
+    const Visit& visit = visits_[from];
+    return visit.nearest_end == to ? visit.to_nearest_m : dubins_length(pose(from), pose(to), radius_m_);
   }
 
   /// From poses where no way leads to an end none is looked for.
@@ -146,27 +156,30 @@ class WaySearch {
     for (const WayEnd& end : ends_) ways_on_.unreachable().add(end.pose, nowhere);
   }
 
-  void propose(const Move& move, double step_s, Known known, SteeredPath way) {
+  /// `step_s`: a lower bound, or where the way is given its cost.
+  void propose(const Move& move, double step_s, const SteeredPath* way = nullptr) {
     if (leads_nowhere(move.to)) return;
     Proposal proposal;
     proposal.cost_s = visits_[move.from].cost_s + step_s + (is_end(move.to) ? end_at(move.to).cost_s : 0);
+    double& settled_s = visits_[move.to].settled_s;
+    if (proposal.cost_s >= settled_s) return;
     proposal.estimate_s = proposal.cost_s + least_s(move.to);
     if (proposal.estimate_s >= no_more_than_s_) {
       limited_ = true;
       return;
     }
+    if (way != nullptr) settled_s = proposal.cost_s;
     proposal.move = move;
-    proposal.settled = known == Known::kSettled;
-    proposal.number = ways_.size();
-    ways_.push_back(std::move(way));
+    proposal.way = way;
+    proposal.number = proposals_++;
     open_.push(proposal);
   }
 
   void propose_word(std::size_t from, std::size_t to, double longest_m) {
     if (visits_[to].reached || leads_nowhere(to)) return;
     if (distance(pose(from).at, pose(to).at) > longest_m) return;
-    const double length_m = dubins_length(pose(from), pose(to), radius_m_);
-    if (length_m <= longest_m) propose({from, to, Step::kWord}, length_m / speed_, Known::kAtLeast, {});
+    const double length_m = shortest_m(from, to);
+    if (length_m <= longest_m) propose({from, to, Step::kWord}, length_m / speed_);
   }
 
   void leave(std::size_t place) {
@@ -177,7 +190,7 @@ class WaySearch {
     for (std::size_t end = 0; end < ends_.size(); ++end) propose_word(place, place_of_end(end), to_end_m);
     if (on_line && on_roadmap(place).next)
       propose({place, begins_.size() + *on_roadmap(place).next, Step::kAlong},
-              length(on_roadmap(place).to_next) / speed_, Known::kAtLeast, {});
+              length(on_roadmap(place).to_next) / speed_);
     if (on_line)
       change_lines(place);
     else
@@ -190,7 +203,7 @@ class WaySearch {
     const std::vector<RoadmapWays::Change>& changes = ways_on_.changes(place - begins_.size());
     for (std::size_t i = 0; i < changes.size(); ++i)
       if (const std::size_t to = begins_.size() + changes[i].to; !visits_[to].reached)
-        propose({place, to, Step::kWord, i}, changes[i].length_m / speed_, Known::kAtLeast, {});
+        propose({place, to, Step::kWord, i}, changes[i].length_m / speed_);
   }
 
   /// Replaces a proposal by the way with room, at its own cost, or by nothing.
@@ -202,7 +215,7 @@ class WaySearch {
       way = ways_on_.along(move.from - begins_.size());
     else
       way = ways_on_.change(move.from - begins_.size(), move.change);
-    if (way != nullptr) propose(move, way->cost_s, Known::kSettled, way->path);
+    if (way != nullptr) propose(move, way->cost_s, &way->path);
   }
 
   FoundWay found(std::size_t place) const {
@@ -210,7 +223,7 @@ class WaySearch {
     out.cost_s = visits_[place].cost_s;
     out.end = place - place_of_end(0);
     std::vector<const SteeredPath*> parts{&end_at(place).path};
-    for (; !is_begin(place); place = visits_[place].from) parts.push_back(&visits_[place].way);
+    for (; !is_begin(place); place = visits_[place].from) parts.push_back(visits_[place].way);
     out.begin = place;
     parts.push_back(&begins_[place].path);
     std::reverse(parts.begin(), parts.end());
@@ -226,9 +239,9 @@ class WaySearch {
   double radius_m_;
   double speed_;
   std::vector<Visit> visits_;
-  Unreachable::From nowhere_;      ///< leads to none of the ends
-  bool limited_ = false;           ///< some steps were left out because they cost too much
-  std::vector<SteeredPath> ways_;  ///< by number of proposal; empty until settled
+  Unreachable::From nowhere_;  ///< leads to none of the ends
+  bool limited_ = false;       ///< some steps were left out because they cost too much
+  std::size_t proposals_ = 0;
   std::priority_queue<Proposal, std::vector<Proposal>, std::greater<>> open_;
 };
 

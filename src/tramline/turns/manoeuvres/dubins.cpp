@@ -28,11 +28,65 @@ void for_each_dubins(const RelativePose& to, const TurnCurve& curve, Visit visit
       visit({"LRL", right, {word->first, word->middle, word->last}, kind_of_three_turns(*word, to)});
 }
 
+/// Adds up in the order of the parts, as arcs_length() does.
+double sum_of_parts(const TurnLineTurn& word, double radius_m) {
+  return radius_m * word.first + word.line_m + radius_m * word.last;
+}
+
+double sum_of_parts(const ThreeTurns& word, double radius_m) {
+  return radius_m * word.first + radius_m * word.middle + radius_m * word.last;
+}
+
 double arcs_length(const DubinsNumbers& numbers, double radius_m) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
     sum += numbers.letters[i] == 'S' ? numbers.amounts[i] : radius_m * numbers.amounts[i];
   return sum;
+}
+
+enum class Letters { kLineBetween, kLineAcross, kNoLine };
+
+/// A word that is yet to be solved: its letters, its side, and a length that it has at the least.
+struct BoundedWord {
+  double least_m = 0;
+  Letters letters = Letters::kLineBetween;
+  bool right = false;
+
+  friend bool operator<(const BoundedWord& a, const BoundedWord& b) { return a.least_m < b.least_m; }
+};
+
+/// The words on circles, without their angles. Turns to one side add up to the change of heading, turns to
+/// both sides differ by it, and a middle turn is more than half a circle.
+std::array<BoundedWord, 6> bounded_words(const std::array<RelativePose, 2>& sides, const TurnCurve& curve) {
+  // What a turn of a whole circle that is none by rounding may take off a word.
+  const double noise = 3 * kNoTurnMost_rad, r = curve.radius_m;
+  std::array<BoundedWord, 6> out;
+  std::size_t count = 0;
+  for (const bool right : {false, true}) {
+    const RelativePose& to = sides[right];
+    const Point along = between_centres(to, curve, TurnSide::kLeft),
+                across = between_centres(to, curve, TurnSide::kRight);
+    const double turned = to.turn >= kWholeCircle - noise ? 0 : to.turn;
+    out[count++] = {length(along) + r * (turned - noise), Letters::kLineBetween, right};
+    const double line_square = dot(across, across) - 4 * r * r;
+    const double differ = std::min(to.turn, kWholeCircle - to.turn);
+    out[count++] = {std::sqrt(std::max(0.0, line_square)) + r * (differ - noise), Letters::kLineAcross,
+                    right};
+    out[count++] = {r * (0.5 * kWholeCircle - noise), Letters::kNoLine, right};
+  }
+  return out;
+}
+
+/// Infinity where there is no such word. `to`: mirrored for words to the right.
+double length_of(const BoundedWord& word, const RelativePose& to, const TurnCurve& curve) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (word.letters == Letters::kNoLine) {
+    const auto found = left_right_left(to, curve);
+    return found ? sum_of_parts(*found, curve.radius_m) : kNone;
+  }
+  const auto found =
+      word.letters == Letters::kLineBetween ? left_line_left(to, curve) : left_line_right(to, curve);
+  return found ? sum_of_parts(*found, curve.radius_m) : kNone;
 }
 
 Word word_of(const DubinsNumbers& numbers, const TurnCurve& curve) {
@@ -70,10 +124,16 @@ std::vector<Manoeuvre> dubins_words(const Pose& from, const Pose& to, double rad
 
 double dubins_length(const Pose& from, const Pose& to, double radius_m) {
   assert(radius_m > 0);
+  const RelativePose target = relative(from, to);
+  const std::array<RelativePose, 2> sides = {target, target.mirrored()};
+  const TurnCurve curve = arc_turn(radius_m);
+  std::array<BoundedWord, 6> words = bounded_words(sides, curve);
+  std::sort(words.begin(), words.end());
   double least = std::numeric_limits<double>::infinity();
-  for_each_dubins(relative(from, to), arc_turn(radius_m), [&](const DubinsNumbers& numbers) {
-    least = std::min(least, arcs_length(numbers, radius_m));
-  });
+  for (const BoundedWord& word : words) {
+    if (word.least_m >= least) break;
+    least = std::min(least, length_of(word, sides[word.right], curve));
+  }
   return least;
 }
 
