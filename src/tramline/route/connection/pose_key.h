@@ -2,8 +2,8 @@
 // What maps find poses by.
 
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <functional>
 #include <utility>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -18,9 +18,13 @@ inline PoseKey key_of(const Pose& pose) { return {pose.at.x, pose.at.y, pose.hea
 
 struct PoseHash {
   std::size_t operator()(const PoseKey& key) const {
-    constexpr std::size_t kPrime = 1099511628211U;
+    constexpr std::size_t kOdd = 0x9e3779b97f4a7c15U;
+    constexpr int kHalf = 32;
     std::size_t out = 0;
-    for (const double number : key) out = (out ^ std::hash<double>{}(number)) * kPrime;
+    for (const double number : key) {
+      out = (out ^ std::bit_cast<std::size_t>(number + 0.0)) * kOdd;  // 0 for -0 too, which equals it
+      out ^= out >> kHalf;
+    }
     return out;
   }
   std::size_t operator()(const PosePairKey& pair) const {

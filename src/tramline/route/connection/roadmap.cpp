@@ -56,12 +56,14 @@ void Roadmap::add(const FollowedLine& line, const SteeredPath& axle, std::size_t
   for (SteeredPath& part : divided(axle, static_cast<std::size_t>(steps))) {
     if (part.empty()) continue;
     const Pose start = part.front().start;
-    poses_.push_back({start, number, poses_.size() + 1, std::move(part), line.track});
+    poses_.push_back({start, start.heading.unit(), number, poses_.size() + 1, std::move(part), line.track});
   }
-  if (line.closed)
+  if (line.closed) {
     poses_.back().next = first;
-  else
-    poses_.push_back({end_of(axle), number, {}, {}, line.track});
+    return;
+  }
+  const Pose end = end_of(axle);
+  poses_.push_back({end, end.heading.unit(), number, {}, {}, line.track});
 }
 
 }  // namespace tramline

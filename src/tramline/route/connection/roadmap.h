@@ -21,6 +21,7 @@ struct FollowedLine {
 /// A pose on a line, in one of its two senses.
 struct RoadmapPose {
   Pose pose;
+  Point ahead{};                      ///< the unit vector of its heading
   std::size_t line = 0;               ///< number of the line in this sense
   std::optional<std::size_t> next{};  ///< the pose that follows along the line
   SteeredPath to_next{};              ///< the way there

@@ -42,12 +42,11 @@ const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
   std::vector<Change> out;
   const RoadmapPose& from = roadmap_.poses()[pose];
   const double radius_m = ground_.machine().radius_m;
-  const Point ahead = from.pose.heading.unit();
   roadmap_.each_near(from.pose.at, reach_m_, [&](std::size_t i) {
     const RoadmapPose& to = roadmap_.poses()[i];
     const Point way = to.pose.at - from.pose.at;
-    if (to.line == from.line || dot(way, ahead) <= 0 || dot(way, to.pose.heading.unit()) <= 0) return;
-    const double length_m = dubins_length(from.pose, to.pose, radius_m);
+    if (to.line == from.line || dot(way, from.ahead) <= 0 || dot(way, to.ahead) <= 0) return;
+    const double length_m = dubins_length(relative(from.pose, from.ahead, to.pose, to.ahead), radius_m);
     if (length_m <= kLeadsOn * tramline::length(way) + kLeadsOn_radii * radius_m)
       out.push_back({i, length_m});
   });
@@ -109,8 +108,11 @@ bool RoadmapWays::is_entered(const Pose& end) {
   if (!is_new) return known->second;
   // Short words are likelier to have room.
   std::vector<std::pair<double, std::size_t>> words;
+  const Point ahead = end.heading.unit();
   roadmap_.each_near(end.at, longest_word_m(), [&](std::size_t i) {
-    const double length_m = dubins_length(roadmap_.poses()[i].pose, end, ground_.machine().radius_m);
+    const RoadmapPose& from = roadmap_.poses()[i];
+    const double length_m =
+        dubins_length(relative(from.pose, from.ahead, end, ahead), ground_.machine().radius_m);
     if (length_m <= longest_word_m()) words.emplace_back(length_m, i);
   });
   std::ranges::sort(words);

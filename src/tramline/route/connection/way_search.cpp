@@ -40,6 +40,12 @@ struct Proposal {
   }
 };
 
+std::vector<Point> headed_for(const std::vector<WayEnd>& ends) {
+  std::vector<Point> out;
+  for (const WayEnd& end : ends) out.push_back(end.pose.heading.unit());
+  return out;
+}
+
 std::vector<Pose> poses_of(const std::vector<WayEnd>& ends) {
   std::vector<Pose> out;
   for (const WayEnd& end : ends) out.push_back(end.pose);
@@ -55,6 +61,8 @@ class WaySearch {
       : no_more_than_s_(no_more_than_s),
         begins_(begins),
         ends_(ends),
+        begins_ahead_(headed_for(begins)),
+        ends_ahead_(headed_for(ends)),
         ways_on_(on_roadmap),
         roadmap_(on_roadmap.roadmap()),
         radius_m_(ground.machine().radius_m),
@@ -111,6 +119,10 @@ class WaySearch {
     if (is_begin(place)) return begins_[place].pose;
     return is_end(place) ? end_at(place).pose : on_roadmap(place).pose;
   }
+  Point ahead(std::size_t place) const {
+    if (is_begin(place)) return begins_ahead_[place];
+    return is_end(place) ? ends_ahead_[place - place_of_end(0)] : on_roadmap(place).ahead;
+  }
 
   /// Of the way from a place to the nearest end: no way forward is shorter than a shortest Dubins path.
   double least_s(std::size_t place) {
@@ -123,7 +135,7 @@ class WaySearch {
       const WayEnd& end = ends_[i];
       const double hasty_s = kHaste * distance(from.at, end.pose.at) / speed_;
       if (hasty_s + end.cost_s >= visit.least_s) continue;
-      const double forward_m = dubins_length(from, end.pose, radius_m_);
+      const double forward_m = shortest_m(place, place_of_end(i));
       const double least_s = std::max(hasty_s, forward_m / speed_) + end.cost_s;
       if (least_s >= visit.least_s) continue;
       visit.least_s = least_s;
@@ -135,7 +147,8 @@ class WaySearch {
 
   double shortest_m(std::size_t from, std::size_t to) const {
     const Visit& visit = visits_[from];
-    return visit.nearest_end == to ? visit.to_nearest_m : dubins_length(pose(from), pose(to), radius_m_);
+    if (visit.nearest_end == to) return visit.to_nearest_m;
+    return dubins_length(relative(pose(from), ahead(from), pose(to), ahead(to)), radius_m_);
   }
 
   /// From poses where no way leads to an end none is looked for.
@@ -234,6 +247,7 @@ class WaySearch {
   double no_more_than_s_;
   const std::vector<WayEnd>& begins_;
   const std::vector<WayEnd>& ends_;
+  std::vector<Point> begins_ahead_, ends_ahead_;
   RoadmapWays& ways_on_;
   const Roadmap& roadmap_;
   double radius_m_;

@@ -123,8 +123,11 @@ std::vector<Manoeuvre> dubins_words(const Pose& from, const Pose& to, double rad
 }
 
 double dubins_length(const Pose& from, const Pose& to, double radius_m) {
+  return dubins_length(relative(from, to), radius_m);
+}
+
+double dubins_length(const RelativePose& target, double radius_m) {
   assert(radius_m > 0);
-  const RelativePose target = relative(from, to);
   const std::array<RelativePose, 2> sides = {target, target.mirrored()};
   const TurnCurve curve = arc_turn(radius_m);
   std::array<BoundedWord, 6> words = bounded_words(sides, curve);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/model/manoeuvre.h"
+#include "tramline/turns/manoeuvres/relative_pose.h"
 #include "tramline/turns/manoeuvres/turn_curve.h"
 
 namespace tramline {
@@ -26,6 +27,8 @@ std::vector<Manoeuvre> dubins_words(const Pose& from, const Pose& to, const Turn
 /// The length of the shortest of them, m, without building any. 0 between equal poses. O(1), allocates
 /// nothing. Precondition: radius_m > 0.
 double dubins_length(const Pose& from, const Pose& to, double radius_m);
+/// The same for a pose as it is seen from the other one.
+double dubins_length(const RelativePose& target, double radius_m);
 /// The shortest of dubins_words(), without building the others. Precondition: radius_m > 0.
 Manoeuvre shortest_dubins(const Pose& from, const Pose& to, double radius_m);
 

@@ -34,11 +34,16 @@ struct RelativePose {
   RelativePose mirrored() const { return {ahead, -left, in_whole_circle(-turn), -sine, cosine}; }
 };
 
-inline RelativePose relative(const Pose& from, const Pose& to) {
-  const Point unit = from.heading.unit(), other = to.heading.unit(), way = to.at - from.at;
+/// `unit`, `other`: where the poses head for.
+inline RelativePose relative(const Pose& from, Point unit, const Pose& to, Point other) {
+  const Point way = to.at - from.at;
   return {dot(way, unit), cross(unit, way),
           in_whole_circle(from.heading.angle().radians() - to.heading.angle().radians()), cross(unit, other),
           dot(unit, other)};
+}
+
+inline RelativePose relative(const Pose& from, const Pose& to) {
+  return relative(from, from.heading.unit(), to, to.heading.unit());
 }
 
 }  // namespace tramline
