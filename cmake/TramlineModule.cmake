@@ -17,8 +17,13 @@ function(tramline_compile_options target)
 endfunction()
 
 # For what spends its time in others' code, and would gain nothing from the third more that -O2 takes to compile.
+# Tests, which are compiled once for each time that they run, say -Og: a quarter less than -O1.
 function(tramline_compile_quickly target)
-  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-O1>")
+  cmake_parse_arguments(ARG "" "LEVEL" "" ${ARGN})
+  if(NOT ARG_LEVEL)
+    set(ARG_LEVEL -O1)
+  endif()
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${ARG_LEVEL}>")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC 12 at -O1 takes the room that std::string + "..." has inside of the string for all there is.
     target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-Wno-array-bounds;-Wno-stringop-overflow>")

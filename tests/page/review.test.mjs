@@ -69,7 +69,7 @@ flow('replay a log, look at its gaps, plan their repair', {}, async ({ page, ser
   assert.ok((await drawn(page, 'plan:tracks')) > 0);
 });
 
-flow('a log from elsewhere is told of at once, with ways to go on', {}, async ({ page, server }) => {
+flow('a log from elsewhere is told of at once, with ways to go on', { skip: long }, async ({ page, server }) => {
   await openField(page, example('riverside.geojson'));
   await openField(page, example('roadside.geojson')); // some 10 km away
   await goTo(page, 'Review');
@@ -116,7 +116,7 @@ flow('watch a machine over the network, stop it, and see its drive', {}, async (
 });
 
 const sprayer = realFile('logs', 'isoxml_jdsprayer_TLG00015.csv');
-flow('a real log from another continent, with a field open: it is replayed without', { skip: sprayer.skip }, async ({ page }) => {
+flow('a real log from another continent, with a field open: it is replayed without', { skip: long || sprayer.skip }, async ({ page }) => {
   await openField(page, example('riverside.geojson'));
   await goTo(page, 'Review');
   await chooseFile(page, 'Choose the log of a machine', sprayer.file);
@@ -196,7 +196,7 @@ async function logWithAngles() {
   return file;
 }
 
-flow('headings that contradict the way driven are told of, and read otherwise by one press', {}, async ({ page }) => {
+flow('headings that contradict the way driven are told of, and read otherwise by one press', { skip: long }, async ({ page }) => {
   const file = await logWithAngles();
   await goTo(page, 'Review');
   await chooseFile(page, 'Choose the log of a machine', file);

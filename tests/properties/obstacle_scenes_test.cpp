@@ -22,7 +22,7 @@ namespace {
 
 using testing::Scene;
 
-constexpr int kStandard = 100;
+constexpr int kStandard = 50;
 
 /// The plan, or nothing where no track fits.
 std::optional<Plan> try_plan(const Scene& scene, Avoidance avoid, int threads) {

@@ -83,7 +83,7 @@ class PlanProperties : public ::testing::Test {
 
 /// The other road: the useful area by polygon booleans.
 TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
-  for_random_fields(50, [](const Field& field, const Request& request) {
+  for_random_fields(30, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-6 * area(Polygon{field.outer, {}});
@@ -100,11 +100,11 @@ TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
 }
 
 TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
-  expect_overlaps_to_sum_up(60, TrackShape::kStraight);
+  expect_overlaps_to_sum_up(30, TrackShape::kStraight);
 }
 
 /// The search along curves takes many times as long.
-TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(30, TrackShape::kCurved); }
+TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(20, TrackShape::kCurved); }
 
 /// The other road to what each swath overlaps: what polygon booleans leave of it after those before it. Along
 /// the first edges of the field, by parallel tracks with detours and by Zhou's own construction.
@@ -182,7 +182,7 @@ TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
 
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
-  for_random_fields(50, [](const Field& field, const Request& request) {
+  for_random_fields(30, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);
@@ -225,7 +225,7 @@ TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
 }
 
 TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
-  for_random_fields(40, [](const Field& field, const Request& request) {
+  for_random_fields(25, [](const Field& field, const Request& request) {
     const auto one = try_plan(field, request, 1), four = try_plan(field, request, 4);
     EXPECT_EQ(one.has_value(), four.has_value());
     if (!one || !four) return false;
@@ -242,7 +242,7 @@ TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
 // The candidates of the sweep are the same set whatever the frame, so the least cost is the same as long as
 // no two candidates tie: random fields are in general position.
 TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
-  for_random_fields(40, [](const Field& field, Request request) {
+  for_random_fields(25, [](const Field& field, Request request) {
     request.settings.strategy = Strategy::kSweep;
     const auto plan = try_plan(field, request);
     if (!plan) return false;
@@ -264,7 +264,7 @@ TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
 /// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
 /// road on the areas is the same.
 TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
-  for_random_fields(40, [](const Field& field, const Request& request) {
+  for_random_fields(25, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
     const Polygon waterway{

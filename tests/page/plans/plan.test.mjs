@@ -18,6 +18,7 @@ async function download(page, name, folder) {
 /** What a plan has to do with its figures, whatever the field. */
 async function planCompareExport({ page, server }, field) {
   await planTracks(page);
+  await page.getByLabel('Working width', { exact: true }).fill('24');
   await page.getByLabel('Swaths end at a slanting edge').selectOption('inside');
   await makePlan(page);
   assert.ok((await drawn(page, 'plan:tracks')) > 0, 'tracks are on the map');
@@ -66,7 +67,7 @@ flow('a field with holes: plan, end rule, compare, export, check', {}, async (co
   await planCompareExport(context, example('riverside.geojson'));
 });
 
-flow('several fields: choose one, go back to it after a reload', {}, async ({ page }) => {
+flow('several fields: choose one, go back to it after a reload', { skip: long }, async ({ page }) => {
   await page.getByLabel('Choose a file with a field').setInputFiles(example('two-farms.gpkg'));
   await page.getByRole('heading', { name: /Which field of two-farms\.gpkg/ }).waitFor();
   const cards = page.locator('.cards .card');
@@ -78,7 +79,7 @@ flow('several fields: choose one, go back to it after a reload', {}, async ({ pa
   await page.getByRole('region', { name: /^Open field/ }).waitFor();
 });
 
-flow('every file can be taken away', {}, async ({ page, server }) => {
+flow('every file can be taken away', { skip: long }, async ({ page, server }) => {
   await openField(page, example('terrace.kml'));
   await planTracks(page);
   await makePlan(page);
@@ -109,7 +110,7 @@ flow('layers are switched on and off, with their sizes beside them', {}, async (
   assert.ok((await drawn(page, 'plan:swaths')) > 0);
 });
 
-flow('tracks along an edge of the field, picked from the list', {}, async ({ page }) => {
+flow('tracks along an edge of the field, picked from the list', { skip: long }, async ({ page }) => {
   await openField(page, example('roadside.geojson'));
   await planTracks(page);
   await makePlan(page);
