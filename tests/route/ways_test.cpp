@@ -288,9 +288,12 @@ TEST(Unreachable, IsWhatLeadsToNoneOfTheEnds) {
       other{{0, 0}, Heading::clockwise_from_north(Angle::degrees(90))};
   Unreachable known(3);
   EXPECT_EQ(known.to_any({one}), Unreachable::From({0, 0, 0})) << "nothing is known";
+  EXPECT_EQ(known.to(one), nullptr);
   known.add(one, {1, 0, 0});
   known.add(one, {0, 1, 0});
   EXPECT_EQ(known.to_any({one}), Unreachable::From({1, 1, 0})) << "the second search adds to the first";
+  ASSERT_NE(known.to(one), nullptr);
+  EXPECT_EQ(*known.to(one), known.to_any({one}));
   EXPECT_EQ(known.to_any({one, other}), Unreachable::From({0, 0, 0})) << "of the other nothing is known";
   known.add(other, {1, 0, 0});
   EXPECT_EQ(known.to_any({one, other}), Unreachable::From({1, 0, 0}));

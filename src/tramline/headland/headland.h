@@ -50,8 +50,9 @@ struct HeadlandAndBody : Headland {
 /// turns) the pass ends at right angles to the chain. The headland is the land along the chains
 /// (chain_ground.h). Parts of the body beside it without room for a track go to it.
 ///
-/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles do not
-/// bend passes. Ground inside a hole of an obstacle is body without headland.
+/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m; where an open pass is driven
+/// straight on to its end, up to 1e-4 m to its sides). Passable obstacles do not bend passes. Ground inside a
+/// hole of an obstacle is body without headland.
 ///
 /// O(n²) for n corners, less where they are far apart compared to the distances.
 /// Preconditions: edge_passes is empty or has a number for each edge.

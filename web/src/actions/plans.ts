@@ -75,8 +75,8 @@ async function fetchLayer(id: string, name: string): Promise<void> {
     shape = await api.planLayer(id, name, detail_m);
   } catch (error) {
     const open = plans.get().open;
-    const replaced = open?.id !== id || open.draft;
-    if (replaced && error instanceof ApiError && error.status === 404) return; // the next draft is on its way
+    const replaced = open?.id !== id || open.draft; // the next draft is on its way
+    if ((replaced || deleted.has(id)) && error instanceof ApiError && error.status === 404) return;
     throw error;
   }
   if (plans.get().open?.id !== id) return;
@@ -91,8 +91,17 @@ export async function switchLayer(name: string, on: boolean): Promise<void> {
   if (on && open && !plans.get().shapes[name]) await fetchLayer(open.id, name);
 }
 
+/** Layers of these may still be on their way while the server has them no more. */
+const deleted = new Set<string>();
+
 export async function deletePlan(id: string): Promise<void> {
-  await api.deletePlan(id);
+  deleted.add(id);
+  try {
+    await api.deletePlan(id);
+  } catch (error) {
+    deleted.delete(id);
+    throw error;
+  }
   const field = fields.get().open;
   if (plans.get().open?.id === id) plans.set({ open: null, before: null, layers: [], shapes: {} });
   if (field) await loadPlans(field.id);

@@ -37,9 +37,9 @@ double RoadmapWays::longest_word_m() const {
   return reach_m_ + kLongest_circles * 2 * std::numbers::pi * ground_.machine().radius_m;
 }
 
-const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
-  if (changes_[pose]) return changes_[pose]->changes;
-  std::vector<Change> out;
+std::vector<RoadmapWays::Word>& RoadmapWays::changes(std::size_t pose) {
+  if (changes_[pose]) return *changes_[pose];
+  std::vector<Word> out;
   const RoadmapPose& from = roadmap_.poses()[pose];
   const double radius_m = ground_.machine().radius_m;
   roadmap_.each_near(from.pose.at, reach_m_, [&](std::size_t i) {
@@ -50,9 +50,21 @@ const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
     if (length_m <= kLeadsOn * tramline::length(way) + kLeadsOn_radii * radius_m)
       out.push_back({i, length_m});
   });
-  std::vector<Found> ways(out.size());
-  changes_[pose] = {std::move(out), std::move(ways)};
-  return changes_[pose]->changes;
+  changes_[pose] = std::move(out);
+  return *changes_[pose];
+}
+
+std::vector<RoadmapWays::Word>& RoadmapWays::words_from(const Pose& pose) {
+  const auto [known, is_new] = words_from_.try_emplace(key_of(pose));
+  if (!is_new) return known->second;
+  const double longest_m = longest_word_m(), radius_m = ground_.machine().radius_m;
+  const Point ahead = pose.heading.unit();
+  roadmap_.each_near(pose.at, reach_m_, [&](std::size_t i) {
+    const RoadmapPose& to = roadmap_.poses()[i];
+    const double length_m = dubins_length(relative(pose, ahead, to.pose, to.ahead), radius_m);
+    if (length_m <= longest_m) known->second.push_back({i, length_m});
+  });
+  return known->second;
 }
 
 std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to, Words words) {
@@ -81,14 +93,20 @@ const RoadmapWays::Way* RoadmapWays::word(const Pose& from, const Pose& to) {
   return known->second ? &*known->second : nullptr;
 }
 
-const RoadmapWays::Way* RoadmapWays::change(std::size_t from, std::size_t number) {
-  assert(changes_[from] && number < changes_[from]->ways.size());
-  ChangesAt& at = *changes_[from];
-  Found& way = at.ways[number];
-  if (!way)
-    way = first_with_room(roadmap_.poses()[from].pose, roadmap_.poses()[at.changes[number].to].pose,
-                          Words::kLeadOn);
-  return *way ? &**way : nullptr;
+const RoadmapWays::Way* RoadmapWays::looked_for(const Pose& from, Word& word, Words words) {
+  if (word.looked) return word.way;
+  word.looked = true;
+  if (auto way = first_with_room(from, roadmap_.poses()[word.to].pose, words))
+    word.way = &ways_.emplace_back(std::move(*way));
+  return word.way;
+}
+
+const RoadmapWays::Way* RoadmapWays::change(std::size_t from, Word& word) {
+  return looked_for(roadmap_.poses()[from].pose, word, Words::kLeadOn);
+}
+
+const RoadmapWays::Way* RoadmapWays::word(const Pose& from, Word& word) {
+  return looked_for(from, word, Words::kAll);
 }
 
 const RoadmapWays::Way* RoadmapWays::along(std::size_t pose) {

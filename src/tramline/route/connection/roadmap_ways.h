@@ -2,6 +2,7 @@
 // The ways between poses of a roadmap that have room.
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -29,22 +30,27 @@ class RoadmapWays {
   /// Words to a pose from others of the roadmap are no longer, m.
   double longest_word_m() const;
 
-  /// A shortest Dubins word to a pose of another line.
-  struct Change {
-    std::size_t to = 0;
-    double length_m = 0;
-  };
-  /// The words from a pose to poses of other lines ahead of it that lead on, whether they have room or not.
-  const std::vector<Change>& changes(std::size_t pose);
-
   /// A way with room. Those that are given out stay where they are.
   struct Way {
     SteeredPath path;
     double cost_s = 0;  ///< cost_seconds()
   };
-  /// The first word with room of changes(from)[number]; null where none has. Precondition: these were asked
-  /// for.
-  const Way* change(std::size_t from, std::size_t number);
+
+  /// Dubins words to a pose of the roadmap, of which the shortest has a length.
+  struct Word {
+    std::size_t to = 0;
+    double length_m = 0;
+    bool looked = false;       ///< for one that has room
+    const Way* way = nullptr;  ///< null where none has
+  };
+  /// The shortest words from a pose to poses of other lines ahead of it that lead on.
+  std::vector<Word>& changes(std::size_t pose);
+  /// The words from any pose to those of the roadmap within reach that are no longer than longest_word_m().
+  std::vector<Word>& words_from(const Pose& pose);
+  /// Looks for the way of one of changes(), if it has room.
+  const Way* change(std::size_t from, Word& word);
+  /// The first with room of words_from() to a pose.
+  const Way* word(const Pose& from, Word& word);
   /// The first word with room between any two poses; null where none has.
   const Way* word(const Pose& from, const Pose& to);
   /// The way along the line to the pose that follows; null where it has no room.
@@ -61,6 +67,7 @@ class RoadmapWays {
   enum class Words { kLeadOn, kAll };
   std::optional<Way> way_along(const RoadmapPose& from) const;
   std::optional<Way> first_with_room(const Pose& from, const Pose& to, Words words);
+  const Way* looked_for(const Pose& from, Word& word, Words words);
 
   Roadmap roadmap_;
   const DrivingGround& ground_;
@@ -68,11 +75,9 @@ class RoadmapWays {
   std::optional<ArcRoom> arc_room_{};  ///< where the machine steers at once and tows nothing
   /// Once it was looked for: a way, or none.
   using Found = std::optional<std::optional<Way>>;
-  struct ChangesAt {
-    std::vector<Change> changes;
-    std::vector<Found> ways;
-  };
-  std::vector<std::optional<ChangesAt>> changes_;
+  std::vector<std::optional<std::vector<Word>>> changes_;
+  std::unordered_map<PoseKey, std::vector<Word>, PoseHash> words_from_{};
+  std::deque<Way> ways_{};  ///< of words from the roadmap and to it
   std::vector<Found> along_;
   std::unordered_map<PosePairKey, std::optional<Way>, PoseHash> by_word_{};
   std::unordered_map<PoseKey, bool, PoseHash> entered_{};

@@ -6,12 +6,17 @@
 
 namespace tramline {
 
+const Unreachable::From* Unreachable::to(const Pose& end) const {
+  const auto known = to_end_.find(key_of(end));
+  return known == to_end_.end() ? nullptr : &known->second;
+}
+
 Unreachable::From Unreachable::to_any(const std::vector<Pose>& ends) const {
   From out(poses_, 1);
   for (const Pose& end : ends) {
-    const auto known = to_end_.find(key_of(end));
-    if (known == to_end_.end()) return From(poses_, 0);
-    std::ranges::transform(out, known->second, out.begin(), std::bit_and<>{});
+    const From* known = to(end);
+    if (known == nullptr) return From(poses_, 0);
+    std::ranges::transform(out, *known, out.begin(), std::bit_and<>{});
   }
   return out;
 }

@@ -19,6 +19,8 @@ class Unreachable {
 
   explicit Unreachable(std::size_t poses) : poses_(poses) {}
 
+  /// From where no way leads to the end; null where nothing is known of it. Stays where it is, and learns.
+  const From* to(const Pose& end) const;
   /// From where no way leads to any of the ends. O(ends · poses).
   From to_any(const std::vector<Pose>& ends) const;
   /// From these no way leads to the end, besides those known already. Precondition: one number a pose.

@@ -18,13 +18,11 @@ constexpr std::size_t kLooksAhead = 50;
 /// it finds at most as much worse.
 constexpr double kHaste = 1.2;
 
-enum class Step { kWord, kAlong };
 /// From one place to another. The numbers of places: beginnings, poses of the roadmap, ends.
 struct Move {
   std::size_t from = 0;
   std::size_t to = 0;
-  Step step = Step::kWord;
-  std::size_t change = 0;  ///< of a word between lines: its number among the changes of its place
+  RoadmapWays::Word* word = nullptr;  ///< to the roadmap; null of steps along lines and to ends
 };
 
 /// A step that may be taken, with a lower bound of its cost until it is settled.
@@ -52,6 +50,7 @@ std::vector<Pose> poses_of(const std::vector<WayEnd>& ends) {
   return out;
 }
 
+constexpr double kAnyLength_m = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 class WaySearch {
@@ -68,7 +67,9 @@ class WaySearch {
         radius_m_(ground.machine().radius_m),
         speed_(ground.machine().turning.turning_speed_mps),
         visits_(begins.size() + roadmap_.poses().size() + ends.size()),
-        nowhere_(on_roadmap.unreachable().to_any(poses_of(ends))) {}
+        nowhere_to_(ends.size(), nullptr) {
+    look_at_unreachable();
+  }
 
   std::optional<FoundWay> run() {
     for (std::size_t i = 0; i < begins_.size(); ++i) {
@@ -133,6 +134,7 @@ class WaySearch {
     const Pose& from = pose(place);
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const WayEnd& end = ends_[i];
+      if (leads_not_to(i, place)) continue;
       const double hasty_s = kHaste * distance(from.at, end.pose.at) / speed_;
       if (hasty_s + end.cost_s >= visit.least_s) continue;
       const double forward_m = shortest_m(place, place_of_end(i));
@@ -156,10 +158,21 @@ class WaySearch {
     return !is_begin(place) && !is_end(place) && nowhere_[place - begins_.size()] != 0;
   }
 
+  /// The same of one of the ends, from a pose of the roadmap.
+  bool leads_not_to(std::size_t end, std::size_t place) const {
+    return nowhere_to_[end] != nullptr && (*nowhere_to_[end])[place - begins_.size()] != 0;
+  }
+
   void drop_ends_that_nothing_enters() {
     for (const WayEnd& end : ends_)
       if (!ways_on_.is_entered(end.pose)) ways_on_.unreachable().add_all(end.pose);
-    nowhere_ = ways_on_.unreachable().to_any(poses_of(ends_));
+    look_at_unreachable();
+  }
+
+  void look_at_unreachable() {
+    const Unreachable& unreachable = ways_on_.unreachable();
+    nowhere_ = unreachable.to_any(poses_of(ends_));
+    for (std::size_t i = 0; i < ends_.size(); ++i) nowhere_to_[i] = unreachable.to(ends_[i].pose);
   }
 
   /// All that could be reached was.
@@ -188,46 +201,49 @@ class WaySearch {
     open_.push(proposal);
   }
 
-  void propose_word(std::size_t from, std::size_t to, double longest_m) {
-    if (visits_[to].reached || leads_nowhere(to)) return;
+  /// Where it is known whether a word has room, the word as it is or none.
+  void propose_word(std::size_t from, RoadmapWays::Word& word) {
+    const std::size_t to = begins_.size() + word.to;
+    if (visits_[to].reached) return;
+    if (!word.looked)
+      propose({from, to, &word}, word.length_m / speed_);
+    else if (word.way != nullptr)
+      propose({from, to, &word}, word.way->cost_s, &word.way->path);
+  }
+
+  void propose_end(std::size_t from, std::size_t to, double longest_m) {
     if (distance(pose(from).at, pose(to).at) > longest_m) return;
     const double length_m = shortest_m(from, to);
-    if (length_m <= longest_m) propose({from, to, Step::kWord}, length_m / speed_);
+    if (length_m <= longest_m) propose({from, to}, length_m / speed_);
   }
 
   void leave(std::size_t place) {
-    const double longest_m = ways_on_.longest_word_m();
-    const bool on_line = !is_begin(place);
+    if (is_begin(place)) {
+      for (std::size_t end = 0; end < ends_.size(); ++end)
+        propose_end(place, place_of_end(end), kAnyLength_m);
+      for (RoadmapWays::Word& word : ways_on_.words_from(pose(place))) propose_word(place, word);
+      return;
+    }
     // Lines lead near the ends; a long word from every pose on them would be one too many.
-    const double to_end_m = on_line ? longest_m : std::numeric_limits<double>::infinity();
-    for (std::size_t end = 0; end < ends_.size(); ++end) propose_word(place, place_of_end(end), to_end_m);
-    if (on_line && on_roadmap(place).next)
-      propose({place, begins_.size() + *on_roadmap(place).next, Step::kAlong},
-              length(on_roadmap(place).to_next) / speed_);
-    if (on_line)
-      change_lines(place);
-    else
-      roadmap_.each_near(pose(place).at, ways_on_.reach_m(),
-                         [&](std::size_t i) { propose_word(place, begins_.size() + i, longest_m); });
-  }
-
-  /// Words from a place on a line to others ahead that lead on.
-  void change_lines(std::size_t place) {
-    const std::vector<RoadmapWays::Change>& changes = ways_on_.changes(place - begins_.size());
-    for (std::size_t i = 0; i < changes.size(); ++i)
-      if (const std::size_t to = begins_.size() + changes[i].to; !visits_[to].reached)
-        propose({place, to, Step::kWord, i}, changes[i].length_m / speed_);
+    for (std::size_t end = 0; end < ends_.size(); ++end)
+      if (!leads_not_to(end, place)) propose_end(place, place_of_end(end), ways_on_.longest_word_m());
+    if (on_roadmap(place).next)
+      propose({place, begins_.size() + *on_roadmap(place).next}, length(on_roadmap(place).to_next) / speed_);
+    // Words to other lines ahead that lead on.
+    for (RoadmapWays::Word& word : ways_on_.changes(place - begins_.size())) propose_word(place, word);
   }
 
   /// Replaces a proposal by the way with room, at its own cost, or by nothing.
   void settle(const Move& move) {
     const RoadmapWays::Way* way = nullptr;
-    if (is_begin(move.from) || is_end(move.to))
+    if (is_end(move.to))
       way = ways_on_.word(pose(move.from), pose(move.to));
-    else if (move.step == Step::kAlong)
+    else if (move.word == nullptr)
       way = ways_on_.along(move.from - begins_.size());
+    else if (is_begin(move.from))
+      way = ways_on_.word(pose(move.from), *move.word);
     else
-      way = ways_on_.change(move.from - begins_.size(), move.change);
+      way = ways_on_.change(move.from - begins_.size(), *move.word);
     if (way != nullptr) propose(move, way->cost_s, &way->path);
   }
 
@@ -253,8 +269,9 @@ class WaySearch {
   double radius_m_;
   double speed_;
   std::vector<Visit> visits_;
-  Unreachable::From nowhere_;  ///< leads to none of the ends
-  bool limited_ = false;       ///< some steps were left out because they cost too much
+  Unreachable::From nowhere_{};                       ///< leads to none of the ends
+  std::vector<const Unreachable::From*> nowhere_to_;  ///< by end; null where nothing is known
+  bool limited_ = false;                              ///< some steps were left out because they cost too much
   std::size_t proposals_ = 0;
   std::priority_queue<Proposal, std::vector<Proposal>, std::greater<>> open_;
 };
