@@ -19,6 +19,19 @@ TEST(ForEachIndex, CallsEveryIndexOnceOnAnyNumberOfThreads) {
   }
 }
 
+TEST(SideBySide, CallsBothOnceAndThrowsOn) {
+  for (const int threads : {1, 2}) {
+    int one = 0, other = 0;
+    side_by_side(
+        SearchContext(threads), [&] { ++one; }, [&] { ++other; });
+    EXPECT_EQ(one, 1);
+    EXPECT_EQ(other, 1);
+    EXPECT_THROW(side_by_side(
+                     SearchContext(threads), [] {}, [] { throw std::runtime_error("no"); }),
+                 std::runtime_error);
+  }
+}
+
 #ifndef __SANITIZE_THREAD__
 TEST(ForEachIndex, OnOneThreadLeavesTheOthersToTheirCallers) {
   const auto threads_of_the_process = [] {

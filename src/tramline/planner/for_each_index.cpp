@@ -83,6 +83,11 @@ void for_each_index(std::size_t count, const SearchContext& context,
 
 namespace tramline {
 
+void side_by_side(const SearchContext& context, const std::function<void()>& one,
+                  const std::function<void()>& other) {
+  for_each_index(2, context, [&](std::size_t i) { i == 0 ? one() : other(); });
+}
+
 std::vector<bool> for_each_index_until_end(std::size_t count, const SearchContext& context,
                                            const std::function<void(std::size_t)>& body) {
   std::vector<char> called(count, 0);  // bits of one word may not be set by several threads

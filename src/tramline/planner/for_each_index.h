@@ -15,8 +15,12 @@ namespace tramline {
 void for_each_index(std::size_t count, const SearchContext& context,
                     const std::function<void(std::size_t)>& body);
 
-/// The same, except that a search that has to end may leave out calls other than body(0). Returns which calls
-/// were made.
+/// Calls both in the same way.
+void side_by_side(const SearchContext& context, const std::function<void()>& one,
+                  const std::function<void()>& other);
+
+/// As for_each_index(), except that a search that has to end may leave out calls other than body(0). Returns
+/// which calls were made.
 std::vector<bool> for_each_index_until_end(std::size_t count, const SearchContext& context,
                                            const std::function<void(std::size_t)>& body);
 

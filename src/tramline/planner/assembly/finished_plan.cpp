@@ -134,7 +134,7 @@ Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const
     if (plan.route.planned()) plan.route.proof = proof_of_route(task, found.best, draft.driven.tour, plan);
   };
   const auto draw = [&] { add_layers(plan, track_ground(plan, found.best), context); };
-  for_each_index(2, context, [&](std::size_t i) { i == 0 ? draw() : prove(); });
+  side_by_side(context, draw, prove);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
   plan.warnings = warnings_about(plan);
   add_limits(found.limits, plan.warnings);

@@ -85,7 +85,7 @@ void add_layers(Plan& plan, TrackGround tracks, const SearchContext& context) {
     for (const Region& ground : tracks.regions) all.push_back(difference(reaching_out(ground, edges), land));
     plan.overlap = united_regions(std::move(all));
   };
-  for_each_index(2, context, [&](std::size_t i) { i == 0 ? uncovered() : overlap(); });
+  side_by_side(context, uncovered, overlap);
 }
 
 }  // namespace tramline
