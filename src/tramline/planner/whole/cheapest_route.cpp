@@ -21,6 +21,9 @@ constexpr double kExpected = 0.4;
 /// A plan lacks room where more than one track in so many is backed out of or into.
 constexpr std::size_t kSeldomBacksOut = 4;
 
+/// So many passes more are tried one by one, and what lies between larger steps by halving them so often.
+constexpr int kOneByOne = 6, kHalvings = 2;
+
 /// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
 constexpr std::size_t kFewTracks = 16;
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
@@ -138,16 +141,32 @@ class Comparison {
 
   const HeadlandTrial& best() const { return plans_[*best_].laid.trial; }
 
-  /// One pass more or less all round the field, as long as that costs less; none where open passes have
+  /// More or fewer passes all round the field, as long as that costs less; none where open passes have
   /// turned out better on narrow land. The tracks of least cost behind them are searched for where the best
   /// ones so far, laid anew, come near.
   void vary_depth() {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
     if (narrow_ && !all_round(best().passes)) return;
-    for (const int step : {1, -1})
-      for (int passes = layouts_.least_passes() + step; passes > 0; passes += step)
-        if (context_.has_to_end() || !improves_with(layouts_.all_round(passes, best().passes.obstacles)))
-          break;
+    for (const int direction : {1, -1}) vary_depth(direction);
+  }
+
+  /// By one pass at a time, and after some by twice as many each time: round land is best worked by rings
+  /// alone, a hundred of them. Then what lies between, roughly.
+  void vary_depth(int direction) {
+    int passes = layouts_.least_passes(), step = direction;
+    for (int steps = 1; improves_with_passes(passes + step); ++steps) {
+      passes += step;
+      if (steps >= kOneByOne) step *= 2;
+    }
+    for (int i = 0; i < kHalvings; ++i) {
+      step /= 2;
+      if (step != 0 && improves_with_passes(passes + step)) passes += step;
+    }
+  }
+
+  bool improves_with_passes(int passes) {
+    return passes > 0 && !context_.has_to_end() &&
+           improves_with(layouts_.all_round(passes, best().passes.obstacles));
   }
 
   bool improves_with(const PassesByBoundary& passes) {
