@@ -44,12 +44,13 @@ double arcs_length(const DubinsNumbers& numbers, double radius_m) {
   return sum;
 }
 
-enum class Letters { kLineBetween, kLineAcross, kNoLine };
+enum class Letters { kLsl, kLsr, kLrl };
 
-/// A word that is yet to be solved: its letters, its side, and a length that it has at the least.
+/// A word that is yet to be solved: its letters as if it began to the left, whether it begins to the right,
+/// and a length that it has at the least.
 struct BoundedWord {
   double least_m = 0;
-  Letters letters = Letters::kLineBetween;
+  Letters letters = Letters::kLsl;
   bool right = false;
 
   friend bool operator<(const BoundedWord& a, const BoundedWord& b) { return a.least_m < b.least_m; }
@@ -67,12 +68,11 @@ std::array<BoundedWord, 6> bounded_words(const std::array<RelativePose, 2>& side
     const Point along = between_centres(to, curve, TurnSide::kLeft),
                 across = between_centres(to, curve, TurnSide::kRight);
     const double turned = to.turn >= kWholeCircle - noise ? 0 : to.turn;
-    out[count++] = {length(along) + r * (turned - noise), Letters::kLineBetween, right};
+    out[count++] = {length(along) + r * (turned - noise), Letters::kLsl, right};
     const double line_square = dot(across, across) - 4 * r * r;
     const double differ = std::min(to.turn, kWholeCircle - to.turn);
-    out[count++] = {std::sqrt(std::max(0.0, line_square)) + r * (differ - noise), Letters::kLineAcross,
-                    right};
-    out[count++] = {r * (0.5 * kWholeCircle - noise), Letters::kNoLine, right};
+    out[count++] = {std::sqrt(std::max(0.0, line_square)) + r * (differ - noise), Letters::kLsr, right};
+    out[count++] = {r * (0.5 * kWholeCircle - noise), Letters::kLrl, right};
   }
   return out;
 }
@@ -80,12 +80,11 @@ std::array<BoundedWord, 6> bounded_words(const std::array<RelativePose, 2>& side
 /// Infinity where there is no such word. `to`: mirrored for words to the right.
 double length_of(const BoundedWord& word, const RelativePose& to, const TurnCurve& curve) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  if (word.letters == Letters::kNoLine) {
+  if (word.letters == Letters::kLrl) {
     const auto found = left_right_left(to, curve);
     return found ? sum_of_parts(*found, curve.radius_m) : kNone;
   }
-  const auto found =
-      word.letters == Letters::kLineBetween ? left_line_left(to, curve) : left_line_right(to, curve);
+  const auto found = word.letters == Letters::kLsl ? left_line_left(to, curve) : left_line_right(to, curve);
   return found ? sum_of_parts(*found, curve.radius_m) : kNone;
 }
 
