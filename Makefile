@@ -286,7 +286,7 @@ long-planted: program ## changes planted into plan files, each into every plan; 
 	TRAMLINE_CASES=60 $(LIMIT) tests/cli/price_again_test.py --tramline $(TRAMLINE) --examples examples
 
 long-page: build packages-test ## the page in a browser: whole jobs, registers of 39,200 parcels, 300 real fields, odd ones planned and reviewed, live work, by keyboard, axe-core
-	TRAMLINE=$(TRAMLINE) TRAMLINE_LONG=1 node --test --test-concurrency=1 $(foreach part,plans/whole plans/compare fields/register fields/farm fields/real live plans/hand plans/plan plans/along review keyboard axe,tests/page/$(part).test.mjs)
+	TRAMLINE=$(TRAMLINE) TRAMLINE_LONG=1 node --test --test-concurrency=1 $(foreach part,plans/whole plans/compare fields/register fields/farm fields/real live plans/hand plans/plan plans/along fields/draw review keyboard axe,tests/page/$(part).test.mjs)
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

@@ -17,7 +17,8 @@ function(tramline_compile_options target)
 endfunction()
 
 # For what spends its time in others' code, and would gain nothing from the third more that -O2 takes to compile.
-# Tests, which are compiled once for each time that they run, say -Og: a quarter less than -O1.
+# Tests, which are compiled once for each time that they run, and what reads command lines and writes words say -Og: a
+# quarter less than -O1.
 function(tramline_compile_quickly target)
   cmake_parse_arguments(ARG "" "LEVEL" "" ${ARGN})
   if(NOT ARG_LEVEL)

@@ -1,6 +1,6 @@
 // A field and an obstacle drawn on the map, with the pointer and by numbers.
 import assert from 'node:assert/strict';
-import { flow } from '../support/flow.mjs';
+import { flow, long } from '../support/flow.mjs';
 import { clickMap, drawn, figure, goTo, makePlan, mapReady, openField, panel, planTracks, still } from '../support/page.mjs';
 import { ask, polygonOf, smallField, storeField } from '../support/stored.mjs';
 
@@ -87,7 +87,7 @@ flow('corners are dragged, inserted and deleted, undone and redone; a click on t
   assert.ok(tracks >= 16 && tracks <= 20, `${tracks} tracks`);
 });
 
-flow('a boundary is changed later, and an obstacle: corners dragged, inserted, deleted; plans of the earlier shape are marked', {}, async ({ page, server }) => {
+flow('a boundary is changed later, and an obstacle: corners dragged, inserted, deleted; plans of the earlier shape are marked', { skip: long }, async ({ page, server }) => {
   await openField(page, smallField(server.folder));
   await page.getByText('Add an obstacle').click();
   await page.getByRole('button', { name: 'Place it on the map' }).click();

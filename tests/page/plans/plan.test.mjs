@@ -90,7 +90,7 @@ flow('every file can be taken away', { skip: long }, async ({ page, server }) =>
   }
 });
 
-flow('layers are switched on and off, with their sizes beside them', {}, async ({ page }) => {
+flow('layers are switched on and off, with their sizes beside them', { skip: long }, async ({ page }) => {
   await openField(page, example('riverside.geojson'));
   await planTracks(page);
   await page.getByLabel('Headland passes').fill('1');
