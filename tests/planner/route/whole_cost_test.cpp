@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "tramline/planner/plan_field.h"
@@ -150,6 +151,34 @@ TEST(CheapestRoute, DrivesALongFieldLengthwise) {
   const Plan plan = plan_field(bare_field(600, 40), {}, {}, settings, 1);
   for (const Subfield& subfield : plan.subfields) EXPECT_NEAR(subfield.direction.degrees(), 90, 1e-6);
   EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+}
+
+// A disc of 45 m is driven in 15 circles of 3 m from its rim to its centre, with no turn between tracks.
+// Fewer passes leave a disc to tracks and cost more, and all depths between cost more than the one before:
+// the circles are not come to step by step.
+TEST(CheapestRoute, DrivesARoundFieldInCircles) {
+  Field field;
+  field.id = "round";
+  constexpr int kCorners = 72;
+  for (int i = 0; i < kCorners; ++i) {
+    const double turned = 2 * std::numbers::pi * i / kCorners;
+    field.outer.push_back({45 * std::cos(turned), 45 * std::sin(turned)});
+  }
+  Machine machine;
+  machine.width_m = 3;
+  machine.radius_m = 4;
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  const Plan plan = plan_field(field, machine, {}, settings, 1);
+  EXPECT_TRUE(plan.pieces.empty());
+  EXPECT_GE(plan.headland.passes.size(), 13U);
+  EXPECT_LE(plan.headland.passes.size(), 15U);
+  for (const int passes : {3, 6, 10}) {
+    settings.headland_rule = HeadlandRule::kPasses;
+    settings.headlands = passes;
+    EXPECT_LT(whole_cost(plan).euros(), whole_cost(plan_field(field, machine, {}, settings, 1)).euros())
+        << passes;
+  }
 }
 
 // Tracks along a line that was given are not compared with others, and the plan says so.

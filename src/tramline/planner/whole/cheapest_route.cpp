@@ -147,13 +147,18 @@ class Comparison {
   void vary_depth() {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
     if (narrow_ && !all_round(best().passes)) return;
-    for (const int direction : {1, -1}) vary_depth(direction);
+    const int alone = layouts_.passes_alone();
+    if (alone > 0 && improves_with_passes(alone)) {
+      vary_depth(alone, -1);
+      return;
+    }
+    for (const int direction : {1, -1}) vary_depth(layouts_.least_passes(), direction);
   }
 
-  /// By one pass at a time, and after some by twice as many each time: round land is best worked by rings
-  /// alone, a hundred of them. Then what lies between, roughly.
-  void vary_depth(int direction) {
-    int passes = layouts_.least_passes(), step = direction;
+  /// By one pass at a time, and after some by twice as many each time: large land may be best worked by
+  /// dozens of them. Then what lies between, roughly.
+  void vary_depth(int passes, int direction) {
+    int step = direction;
     for (int steps = 1; improves_with_passes(passes + step); ++steps) {
       passes += step;
       if (steps >= kOneByOne) step *= 2;

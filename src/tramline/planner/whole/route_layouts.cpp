@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
@@ -23,6 +25,9 @@ namespace {
 constexpr double kSameDirection_deg = 1;
 /// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
 constexpr int kMorePasses = 2;
+/// Land is round where its area is no less than this share of the circle of as much perimeter: a hexagon has
+/// 0.907, an ellipse half as long again as it is wide 0.92, a square 0.785.
+constexpr double kRound = 0.9;
 
 int least_passes_of(const Machine& machine) {
   const double depth_m = machine.radius_m + std::max(0.5 * machine.width_m, machine.turning.front_overhang_m);
@@ -235,6 +240,15 @@ std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<L
   add(Alternative::kLongestSide, longest_side(problem_.field, problem_.machine.width_m));
   add(Alternative::kLength, across_least_width(problem_.field.outer));
   return out;
+}
+
+int RouteLayouts::passes_alone() const {
+  if (!problem_.field.obstacles.empty()) return 0;
+  const double area_m2 = std::abs(signed_area(problem_.field.outer));
+  const double perimeter_m = perimeter(problem_.field.outer);
+  if (4 * std::numbers::pi * area_m2 < kRound * perimeter_m * perimeter_m) return 0;
+  // The radius of a circle, and of the circle in a polygon that has one; no convex land has a larger one.
+  return passes_for(2 * area_m2 / perimeter_m, problem_.machine.width_m);
 }
 
 std::vector<int> RouteLayouts::passes_round_all() const {

@@ -41,6 +41,9 @@ class RouteLayouts {
 
   /// Passes round the field as deep as half a circle of the machine and what reaches ahead of its axle.
   int least_passes() const { return least_passes_; }
+  /// In a round field without obstacles: about as many passes all round as work it without tracks, like a
+  /// disc from its rim to its centre; else 0. The depths between these and the least may all cost more.
+  int passes_alone() const;
   /// By obstacle: as many as turns need; where all tracks go round it 0, or the least passes in a field of
   /// few obstacles.
   std::vector<int> passes_round_all() const;
