@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "tramline/check/verify.h"
@@ -79,6 +81,51 @@ TEST(PlannedRoutes, hold_between_gates) {
   settings.route.start = Point{0, 40};
   settings.route.end = Point{150, 50};
   expect_route_holds(field_of(box(0, 0, 200, 100)), machine(6, 6), settings);
+}
+
+/// Two fields of 120 m x 90 m and the lane of 60 m between them.
+Field with_lane(double lane_m) {
+  return field_of({{0, 0},
+                   {120, 0},
+                   {120, 30},
+                   {180, 30},
+                   {180, 0},
+                   {300, 0},
+                   {300, 90},
+                   {180, 90},
+                   {180, 30 + lane_m},
+                   {120, 30 + lane_m},
+                   {120, 90},
+                   {0, 90}});
+}
+
+TEST(PlannedRoutes, hold_on_land_in_two_parts) {
+  PlanSettings settings = whole_route(2);
+  settings.boundary = EdgeKind::kHard;
+  expect_route_holds(with_lane(4), machine(6, 6), settings);
+  settings.route.sequence = PassSequence::kInwards;
+  expect_route_holds(with_lane(4), machine(6, 6), settings);
+  settings.route.passes = PassTime::kFirst;
+  settings.route.start = Point{300, 45};
+  settings.route.end = Point{0, 45};
+  expect_route_holds(with_lane(4), machine(6, 6), settings);
+}
+
+// Where the lane is wide all tracks come before all passes. Were it narrow, the passes on one side would come
+// after work on the other.
+TEST(PlannedRoutes, finish_one_part_before_the_next) {
+  PlanSettings settings = whole_route(2);
+  settings.boundary = EdgeKind::kHard;
+  Plan plan = plan_field(with_lane(8), machine(6, 6), {}, settings);
+  const auto goes_back = [&] {
+    const std::vector<check::Violation> all = check::verify(plan).violations;
+    return std::any_of(all.begin(), all.end(), [](const check::Violation& v) {
+      return v.rule == check::Rule::kRouteOrder && v.what.find("goes back to land") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(goes_back());
+  plan.field = with_lane(4);
+  EXPECT_TRUE(goes_back());
 }
 
 Machine with_tractor(Machine of) {

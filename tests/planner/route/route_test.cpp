@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "properties/seeds.h"
@@ -194,6 +195,68 @@ TEST(Route, BacksOutOfDeadEnds) {
     return leg.kind == LegKind::kBackOut && leg.gear == Gear::kReverse;
   }));
   EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+}
+
+/// Two fields of 120 m x 90 m and the lane of 60 m between them.
+Field with_lane(double lane_m) {
+  Field field;
+  field.id = "with a lane";
+  field.outer = {{0, 0},    {120, 0},  {120, 30},          {180, 30},          {180, 0},  {300, 0},
+                 {300, 90}, {180, 90}, {180, 30 + lane_m}, {120, 30 + lane_m}, {120, 90}, {0, 90}};
+  return field;
+}
+
+/// How often work right of the lane follows work left of it, or the other way round.
+int changes_of_side(const Plan& plan) {
+  int out = 0;
+  std::optional<bool> right;
+  for (const RouteLeg& leg : plan.route.legs) {
+    if (!leg.work) continue;
+    const bool is_right = leg.path.front().start.at.x > 150;
+    if (right && *right != is_right) ++out;
+    right = is_right;
+  }
+  return out;
+}
+
+// Through a lane of 4 m no machine of 6 m drives: it works all of one side, tracks and passes, leaves the
+// land once, and works the other side.
+TEST(Route, FinishesOnePartOfTheLandBeforeTheNext) {
+  for (const PassTime passes : {PassTime::kLast, PassTime::kFirst}) {
+    PlanSettings settings = whole_route(2);
+    settings.boundary = EdgeKind::kHard;
+    settings.route.passes = passes;
+    const Plan plan = plan_field(with_lane(4), {"", 6, 6}, {}, settings);
+    expect_sound(plan);
+    EXPECT_EQ(changes_of_side(plan), 1);
+    EXPECT_EQ(sums_of(plan.route).without_room, 1U);
+  }
+}
+
+TEST(Route, EndsOnThePartOfTheLandWithItsGate) {
+  for (const bool left : {false, true}) {
+    PlanSettings settings = whole_route(2);
+    settings.boundary = EdgeKind::kHard;
+    settings.route.end = left ? Point{0, 45} : Point{300, 45};
+    const Plan plan = plan_field(with_lane(4), {"", 6, 6}, {}, settings);
+    expect_sound(plan);
+    EXPECT_EQ(changes_of_side(plan), 1);
+    EXPECT_EQ(sums_of(plan.route).without_room, 1U);
+    EXPECT_EQ(end_of(plan.route.legs.back()).at.x < 150, left);
+  }
+}
+
+// Through 8 m it drives: all passes come after all tracks.
+TEST(Route, WorksLandThatIsJoinedAsOne) {
+  PlanSettings settings = whole_route(2);
+  settings.boundary = EdgeKind::kHard;
+  const Plan plan = plan_field(with_lane(8), {"", 6, 6}, {}, settings);
+  expect_sound(plan);
+  bool passes = false;
+  for (const RouteLeg& leg : plan.route.legs) {
+    passes = passes || leg.pass;
+    EXPECT_FALSE(passes && leg.piece);
+  }
 }
 
 TEST(Route, CrossesPassableStripsStraightOn) {

@@ -61,13 +61,19 @@ double reach_m(const Machine& machine) {
 
 }  // namespace
 
-TurningGround::TurningGround(const Plan& plan, Passables passables, Beyond beyond) {
+std::optional<double> land_beyond_m(const Plan& plan) {
   const PlanSettings& settings = plan.settings;
   const bool inside = settings.headland_rule == HeadlandRule::kTurns && settings.turn_room_m < 0;
-  const bool hard = settings.boundary == EdgeKind::kHard || settings.headlands > 0 || inside;
-  if (beyond == Beyond::kAsForTurns && (hard || settings.turn_room_m >= 0)) {
+  if (settings.boundary == EdgeKind::kHard || settings.headlands > 0 || inside) return 0;
+  if (settings.turn_room_m >= 0) return settings.turn_room_m;
+  return std::nullopt;
+}
+
+TurningGround::TurningGround(const Plan& plan, Passables passables, Beyond beyond) {
+  const std::optional<double> beyond_m = land_beyond_m(plan);
+  if (beyond == Beyond::kAsForTurns && beyond_m) {
     rings_.push_back({plan.field.outer, bounds(plan.field.outer), true});
-    if (!hard) beyond_m_ = settings.turn_room_m;
+    beyond_m_ = *beyond_m;
   }
   for (const Obstacle& obstacle : plan.field.obstacles)
     if (obstacle.kind != ObstacleKind::kPassable || passables == Passables::kAreObstacles)

@@ -2,6 +2,7 @@
 // Where a machine may turn, and how far it leaves that land.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tramline/check/turning/driven_machine.h"
@@ -20,6 +21,9 @@ struct Excursion {
 enum class Passables { kAreObstacles, kAreLand };
 /// Whether all land outside the field may be used, or only what turns may use.
 enum class Beyond { kAsForTurns, kIsLand };
+
+/// How far beyond the boundary is land to turn on, m; nullopt: everywhere.
+std::optional<double> land_beyond_m(const Plan& plan);
 
 /// The field without its obstacles, passable ones included unless they are land; where the boundary is soft
 /// and has no headland, also the land outside, as far as the settings allow: where headlands follow the

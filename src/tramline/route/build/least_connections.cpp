@@ -1,11 +1,13 @@
 #include "tramline/route/build/least_connections.h"
 
 #include <algorithm>
+#include <cassert>
+#include <set>
 
 namespace tramline {
 namespace {
 
-constexpr double kBetweenTracksAndPasses_s = 1e6;
+constexpr double kChange_s = 1e6;
 /// Rings nearer to one another than so many widths are next to one another.
 constexpr double kNextRings_widths = 1.5;
 constexpr double kUnknown_s = -1;
@@ -14,8 +16,10 @@ constexpr double kUnknown_s = -1;
 
 LeastConnections::LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least)
     : members_(std::move(members)), least_(least), next_rings_m_(kNextRings_widths * width_m) {
-  const bool has_passes = lines() > members_.tracks || rings() > 0;
-  if (members_.tracks > 0 && has_passes) change_s_ = kBetweenTracksAndPasses_s;
+  assert(members_.line_phases.size() == lines() && members_.ring_phases.size() == rings());
+  std::set<std::size_t> phases;
+  for (std::size_t node = 0; node < nodes(); ++node) phases.insert(phase(node));
+  if (!phases.empty()) between_phases_s_ = kChange_s * static_cast<double>(phases.size() - 1);
   for (std::size_t end = 0; end < 2 * lines(); ++end) {
     left_.push_back(pose_left_by(members_.lines[order::line_of(end)], end));
     entered_.push_back(pose_entered_by(members_.lines[order::line_of(end)], end));
@@ -42,8 +46,13 @@ double LeastConnections::least(std::size_t a, std::size_t b) const {
   return change_s(a, b) + std::min(least_.crude(left_[a], entered_[b]), least_.crude(left_[b], entered_[a]));
 }
 
-bool LeastConnections::of_passes(std::size_t node) const {
-  return is_gate(node) ? gate(node).of_passes : node >= 2 * members_.tracks;
+std::size_t LeastConnections::phase(std::size_t node) const {
+  if (is_ring(node)) return members_.ring_phases[ring(node)];
+  return is_gate(node) ? gate(node).phase : members_.line_phases[order::line_of(node)];
+}
+
+double LeastConnections::change_s(std::size_t a, std::size_t b) const {
+  return phase(a) == phase(b) ? 0 : kChange_s;
 }
 
 double LeastConnections::to_gate(std::size_t end, std::size_t gate_node) const {

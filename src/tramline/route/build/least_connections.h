@@ -14,21 +14,24 @@ namespace tramline {
 /// Where a route has to start or to end.
 struct RouteGate {
   Point at;
-  bool of_passes = false;  ///< whether passes are on its side of the route, or tracks
+  std::size_t phase = 0;  ///< the first or the last
 };
 
-/// What a bound of a route joins, in the numbering of RouteProof.
+/// What a bound of a route joins, in the numbering of RouteProof. A route works tracks and passes in phases:
+/// all tracks of a part of the land and then all passes there, or the other way round, and then those of the
+/// next.
 struct RouteMembers {
-  std::vector<RouteLine> lines;  ///< tracks, then open passes
-  std::size_t tracks = 0;        ///< so many of the lines
+  std::vector<RouteLine> lines;          ///< tracks, then open passes
+  std::vector<std::size_t> line_phases;  ///< of each line
   std::vector<RouteGate> gates;
-  std::vector<RingPlaces> rings;  ///< closed passes
+  std::vector<RingPlaces> rings;         ///< closed passes
+  std::vector<std::size_t> ring_phases;  ///< of each ring
 };
 
-/// Lower bounds of connections. All passes come before all tracks or after them: a route makes just one
-/// connection between a track and a pass. That one costs between_tracks_and_passes_s() more here, and a bound
-/// has to be made less by as much: so the least tree has just one, too. Rings more than 1.5 widths apart are
-/// as far apart as they lie. Not for several threads.
+/// Lower bounds of connections. A route makes just one connection from each phase to the next. These cost
+/// between_phases_s() more here together, and a bound has to be made less by as much: so the least tree has
+/// no more of them, either. Rings more than 1.5 widths apart are as far apart as they lie. Not for several
+/// threads.
 class LeastConnections final : public order::ConnectionBounds {
  public:
   /// `least` outlives the connections.
@@ -40,12 +43,12 @@ class LeastConnections final : public order::ConnectionBounds {
   double between(std::size_t a, std::size_t b) const override;
   double least(std::size_t a, std::size_t b) const override;
 
-  /// 0 where there are no tracks or no passes.
-  double between_tracks_and_passes_s() const { return change_s_; }
+  /// 0 where there is one phase.
+  double between_phases_s() const { return between_phases_s_; }
 
  private:
-  bool of_passes(std::size_t node) const;
-  double change_s(std::size_t a, std::size_t b) const { return of_passes(a) == of_passes(b) ? 0 : change_s_; }
+  std::size_t phase(std::size_t node) const;
+  double change_s(std::size_t a, std::size_t b) const;
   const RouteGate& gate(std::size_t node) const { return members_.gates[node - 2 * lines()]; }
   std::size_t ring(std::size_t node) const { return node - 2 * lines() - gates(); }
   double to_gate(std::size_t end, std::size_t gate) const;
@@ -56,7 +59,7 @@ class LeastConnections final : public order::ConnectionBounds {
   RouteMembers members_;
   const LeastSeconds& least_;
   double next_rings_m_;
-  double change_s_ = 0;
+  double between_phases_s_ = 0;
   std::vector<Pose> left_;     ///< by end
   std::vector<Pose> entered_;  ///< by end
   // By ring and node: from it, m, and the least time, s, once it was asked for.

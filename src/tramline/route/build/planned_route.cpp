@@ -10,6 +10,7 @@
 #include "tramline/route/build/leg_list.h"
 #include "tramline/route/build/pass_tour.h"
 #include "tramline/route/build/track_tour.h"
+#include "tramline/route/build/work_by_part.h"
 #include "tramline/route/order/point_grid.h"
 #include "tramline/turns/track_ends.h"
 
@@ -50,6 +51,19 @@ Senses senses_of(const Machine& machine) {
   return alike ? Senses::kCostTheSame : Senses::kDiffer;
 }
 
+/// A tour over the lines of a list, numbered by their places in it: those of a tour over all lines, in its
+/// order.
+order::Tour tour_of_those(const order::Tour& tour, const std::vector<std::size_t>& lines) {
+  order::Tour out;
+  for (const order::End entered : tour) {
+    const auto found = std::ranges::lower_bound(lines, order::line_of(entered));
+    if (found == lines.end() || *found != order::line_of(entered)) continue;
+    const order::End start = 2 * static_cast<std::size_t>(found - lines.begin());
+    out.push_back(order::is_start(entered) ? start : order::other_end(start));
+  }
+  return out;
+}
+
 class RoutePlanner {
  public:
   RoutePlanner(const RouteTask& task, const std::vector<order::WorkedLine>& lines)
@@ -68,10 +82,13 @@ class RoutePlanner {
   }
 
   PlannedRoute run(const std::vector<order::Tour>& given) {
-    const bool first = task_.settings.route.passes == PassTime::kFirst;
-    if (first) add_passes();
-    add_tracks(given);
-    if (!first) add_passes();
+    const std::vector<PartWork> parts =
+        work_by_part(route_lines_, task_.headland, {out_.start, out_.end}, ground_);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      leaves_part_ = i > 0;
+      last_part_ = i + 1 == parts.size();
+      add_part(parts[i], given);
+    }
     if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
     out_.legs = std::move(legs_).finished();
     measure_room_at_work();
@@ -79,6 +96,22 @@ class RoutePlanner {
   }
 
  private:
+  /// Passes that are ordered together.
+  struct Group {
+    std::vector<std::size_t> passes{};
+    bool as_lines = false;  ///< they have two ends, like tracks
+  };
+  using Groups = std::vector<Group>;
+
+  void add_part(const PartWork& work, const std::vector<order::Tour>& given) {
+    const Groups groups = pass_groups(work.passes);
+    const bool first = task_.settings.route.passes == PassTime::kFirst;
+    if (first) add_passes(groups);
+    add_tracks(work.lines, given,
+               first || groups.empty() ? std::vector<std::size_t>{} : groups.front().passes);
+    if (!first) add_passes(groups);
+  }
+
   /// What lies ahead of the work or behind it may swing off the land in corners of passes and at the ends of
   /// tracks, where the implement itself does not.
   void measure_room_at_work() {
@@ -98,7 +131,9 @@ class RoutePlanner {
     return out_.start ? connector_.from_gate(*out_.start, entered) : Way{};
   }
 
-  Way way_to_first(order::End entered, const KnownCosts& costs) const {
+  /// `axle`: the way over the first work.
+  Way way_to_first(order::End entered, const SteeredPath& axle, const KnownCosts& costs) const {
+    if (leaves_part_) return way_to(axle);
     return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
   }
 
@@ -114,6 +149,7 @@ class RoutePlanner {
   void go(const Way& way, const SteeredPath& work) {
     if (!way.path.empty()) legs_.add(way);
     left_ = driven_forward(left_, way, work);
+    leaves_part_ = false;
   }
 
   PassTask pass_task(const std::vector<std::size_t>& passes) const {
@@ -122,8 +158,7 @@ class RoutePlanner {
 
   /// Those round the outside first where passes come first, and last where they come last: the others lie
   /// between them and the tracks.
-  void add_passes() {
-    const Groups groups = pass_groups();
+  void add_passes(const Groups& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (groups[i].as_lines)
         add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1].passes : std::vector<std::size_t>{});
@@ -131,20 +166,11 @@ class RoutePlanner {
         add_nearest(groups[i].passes);
   }
 
-  /// Passes that are ordered together.
-  struct Group {
-    std::vector<std::size_t> passes{};
-    bool as_lines = false;  ///< they have two ends, like tracks
-  };
-  using Groups = std::vector<Group>;
-
   /// In the order in which they are driven.
-  Groups pass_groups() const {
-    Group open{{}, true}, closed, all;
-    for (std::size_t i = 0; i < task_.headland.passes.size(); ++i) {
+  Groups pass_groups(const std::vector<std::size_t>& passes) const {
+    Group open{{}, true}, closed, all{passes};
+    for (const std::size_t i : passes)
       (is_closed(task_.headland.passes[i]) ? closed : open).passes.push_back(i);
-      all.passes.push_back(i);
-    }
     Groups out{open, closed};
     if (task_.settings.route.passes == PassTime::kFirst) std::swap(out.front(), out.back());
     if (task_.settings.route.sequence != PassSequence::kAny) out = {all};
@@ -179,7 +205,7 @@ class RoutePlanner {
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
-      go(i > 0 ? way_on(tour.ways[i - 1], axle) : way_to_first(entered, costs), axle);
+      go(i > 0 ? way_on(tour.ways[i - 1], axle) : way_to_first(entered, axle, costs), axle);
       const std::size_t pass = passes[order::line_of(entered)];
       const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
       legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
@@ -207,14 +233,14 @@ class RoutePlanner {
       const Pose left = pose_left_by(lines[order::line_of(end)], end);
       if (!passes.empty())
         costs.set_finish(end, least_.crude(left, entered[near.nearest(left.at, 1).front()]));
-      else if (out_.end)
+      else if (out_.end && last_part_)
         costs.set_finish(end, least_.to_gate(*out_.end, left));
     }
   }
 
   /// What the way to the first line costs at least, by its end.
   void set_starts(const std::vector<RouteLine>& lines, KnownCosts& costs) const {
-    if (!left_.empty() || out_.start)
+    if ((!left_.empty() || out_.start) && !leaves_part_)
       costs.set_way_to_first([&](order::End entered) {
         return way_to(lines[order::line_of(entered)].entered_by(entered).first);
       });
@@ -227,29 +253,33 @@ class RoutePlanner {
     }
   }
 
-  void add_tracks(const std::vector<order::Tour>& given) {
-    if (lines_.empty()) return;
-    KnownCosts costs(route_lines_, connector_, least_);
-    set_starts(route_lines_, costs);
-    const Groups groups = pass_groups();
-    const bool passes_follow = task_.settings.route.passes == PassTime::kLast && !groups.empty();
-    set_finishes(route_lines_, passes_follow ? groups.front().passes : std::vector<std::size_t>{}, costs);
+  /// `next`: the passes behind them.
+  void add_tracks(const std::vector<std::size_t>& on_part, const std::vector<order::Tour>& given,
+                  const std::vector<std::size_t>& next) {
+    if (on_part.empty()) return;
+    std::vector<RouteLine> lines;
+    for (const std::size_t line : on_part) lines.push_back(route_lines_[line]);
+    std::vector<order::Tour> tours;
+    for (const order::Tour& tour : given) tours.push_back(tour_of_those(tour, on_part));
+    KnownCosts costs(lines, connector_, least_);
+    set_starts(lines, costs);
+    set_finishes(lines, next, costs);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
     const Senses senses = senses_of(task_.machine);
     const TrackTour tour =
-        best ? best_tour_with_ways(given, senses, costs) : with_ways(given.front(), senses, costs);
-    std::size_t piece = 0;
+        best ? best_tour_with_ways(tours, senses, costs) : with_ways(tours.front(), senses, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
-      const RouteLine& line = route_lines_[order::line_of(entered)];
-      const DrivenSense& sense = line.entered_by(entered);
-      go(i > 0 ? way_on(tour.ways[i - 1], sense.first) : way_to_first(entered, costs), sense.first);
-      const order::WorkedLine& worked = lines_[order::line_of(entered)];
-      legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece);
+      const std::size_t line = on_part[order::line_of(entered)];
+      const DrivenSense& sense = route_lines_[line].entered_by(entered);
+      go(i > 0 ? way_on(tour.ways[i - 1], sense.first) : way_to_first(entered, sense.first, costs),
+         sense.first);
+      const order::WorkedLine& worked = lines_[line];
+      legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece_);
       if (worked.size() > 1) left_ = sense.last;
-      piece += worked.size();
+      piece_ += worked.size();
+      out_.tour.push_back(order::is_start(entered) ? 2 * line : 2 * line + 1);
     }
-    out_.tour = tour.tour;
   }
 
   const RouteTask& task_;
@@ -262,7 +292,10 @@ class RoutePlanner {
   EntriesByPass entries_;
   LegList legs_;
   std::vector<RouteLine> route_lines_;
-  SteeredPath left_;  ///< what was driven forward to the end of the work so far; empty at the beginning
+  SteeredPath left_;       ///< what was driven forward to the end of the work so far; empty at the beginning
+  std::size_t piece_ = 0;  ///< the next one, in driving order
+  bool leaves_part_ = false;  ///< the way to the next work leads from one part of the land to another
+  bool last_part_ = true;
   PlannedRoute out_;
 };
 

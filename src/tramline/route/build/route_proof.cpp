@@ -1,6 +1,7 @@
 #include "tramline/route/build/route_proof.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/build/least_connections.h"
@@ -12,42 +13,60 @@
 namespace tramline {
 namespace {
 
-/// The lines in driving order, in the sense in which they are driven, and the open passes.
-std::vector<RouteLine> lines_of_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
-                                      const order::Tour& tour) {
+/// The phases of tracks and of passes that a route works one after the other, by piece and by pass.
+struct Phases {
+  std::vector<std::size_t> of_pieces;
+  std::vector<std::size_t> of_passes;
+  std::size_t last = 0;
+};
+
+Phases phases_of(const std::vector<RouteLeg>& legs, std::size_t pieces, std::size_t passes) {
+  Phases out{std::vector<std::size_t>(pieces, 0), std::vector<std::size_t>(passes, 0)};
+  std::optional<bool> on_pass;
+  for (const RouteLeg& leg : legs) {
+    if (!leg.piece && !leg.pass) continue;
+    if (on_pass && *on_pass != leg.pass.has_value()) ++out.last;
+    on_pass = leg.pass.has_value();
+    (leg.pass ? out.of_passes[*leg.pass] : out.of_pieces[*leg.piece]) = out.last;
+  }
+  return out;
+}
+
+std::size_t pieces_of(const std::vector<order::WorkedLine>& lines) {
+  std::size_t out = 0;
+  for (const order::WorkedLine& line : lines) out += line.size();
+  return out;
+}
+
+/// The lines in driving order, in the sense in which they are driven, the open passes, and the rings.
+RouteMembers members_of_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
+                              const order::Tour& tour, const Route& route) {
   const Turning& turning = task.machine.turning;
-  std::vector<RouteLine> out;
+  const Headland& headland = task.headland;
+  const Phases phases = phases_of(route.legs, pieces_of(lines), headland.passes.size());
+  RouteMembers out;
+  std::size_t piece = 0;
   for (const order::End entered : tour) {
     const order::WorkedLine& line = lines[order::line_of(entered)];
-    out.push_back(route_line(order::is_start(entered) ? line : order::backwards(line), turning));
+    out.lines.push_back(route_line(order::is_start(entered) ? line : order::backwards(line), turning));
+    out.line_phases.push_back(phases.of_pieces[piece]);
+    piece += line.size();
   }
-  for (std::size_t i = 0; i < task.headland.passes.size(); ++i)
-    if (!is_closed(task.headland.passes[i])) out.push_back(route_line(task.headland.passes[i], i, turning));
-  return out;
-}
-
-std::vector<RingPlaces> rings_of_proof(const Headland& headland, const Turning& turning) {
-  std::vector<RingPlaces> out;
   // Passes with sharp corners are no rings that a machine could drive along.
-  if (headland.construction != HeadlandConstruction::kDrivable) return out;
-  for (const HeadlandPass& pass : headland.passes)
-    if (is_closed(pass)) out.push_back(ring_places(pass, turning));
-  return out;
-}
-
-RouteMembers members_of_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
-                              const order::Tour& tour) {
-  RouteMembers out;
-  out.lines = lines_of_proof(task, lines, tour);
-  out.tracks = tour.size();
-  out.rings = rings_of_proof(task.headland, task.machine.turning);
+  const bool drivable = headland.construction == HeadlandConstruction::kDrivable;
+  for (std::size_t i = 0; i < headland.passes.size(); ++i) {
+    const HeadlandPass& pass = headland.passes[i];
+    if (!is_closed(pass)) {
+      out.lines.push_back(route_line(pass, i, turning));
+      out.line_phases.push_back(phases.of_passes[i]);
+    } else if (drivable) {
+      out.rings.push_back(ring_places(pass, turning));
+      out.ring_phases.push_back(phases.of_passes[i]);
+    }
+  }
   const RouteSettings& asked = task.settings.route;
-  const bool has_passes = out.lines.size() > out.tracks || !out.rings.empty();
-  const auto passes_at = [&](PassTime time) {
-    return has_passes && (out.tracks == 0 || asked.passes == time);
-  };
-  if (asked.start) out.gates.push_back({*asked.start, passes_at(PassTime::kFirst)});
-  if (asked.end) out.gates.push_back({*asked.end, passes_at(PassTime::kLast)});
+  if (asked.start) out.gates.push_back({*asked.start, 0});
+  if (asked.end) out.gates.push_back({*asked.end, phases.last});
   return out;
 }
 
@@ -83,12 +102,12 @@ RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLin
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   double whole_s = 0;
   for (const RouteLeg& leg : route.legs) whole_s += leg.time_s;
-  const LeastConnections bounds(members_of_proof(task, lines, tour), task.machine.width_m, least);
+  const LeastConnections bounds(members_of_proof(task, lines, tour, route), task.machine.width_m, least);
   if (bounds.lines() + bounds.rings() == 0) {
     out.bound_s = fixed_s;
     return out;
   }
-  const double change_s = bounds.between_tracks_and_passes_s();
+  const double change_s = bounds.between_phases_s();
   order::PricedBound priced = order::best_bound(bounds, {std::max(0.0, whole_s - fixed_s) + change_s, 0});
   out.bound_s = fixed_s + std::max(0.0, priced.bound_s - change_s);
   out.node_prices_s = std::move(priced.prices_s);

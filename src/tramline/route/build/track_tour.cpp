@@ -50,10 +50,14 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
   return cost_of_ways(tour.ways) + at_ends(tour.tour, costs);
 }
 
-/// The cheapest of tours by what is known of them.
-const Tour& cheapest(const std::vector<Tour>& tours, const KnownCosts& costs) {
-  return *std::ranges::min_element(tours, {},
-                                   [&](const Tour& tour) { return order::connection_s(tour, costs); });
+/// Of tours whose ways are known the one with the fewest ways without room, and of these the quickest: on
+/// land on which some way has none, how much is missing there decides nothing.
+Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
+  const auto rank = [&](const Tour& tour) {
+    const TrackTour there = in_order(tour, costs);
+    return std::pair(without_room(there.ways), whole_cost(there, costs));
+  };
+  return *std::ranges::min_element(tours, {}, rank);
 }
 
 }  // namespace
@@ -99,7 +103,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
     }
     tour = found_order(costs, costs.neighbours(), settled, order::Effort::kAgain);
   }
-  return with_ways(cheapest(settled, costs), senses, costs);
+  return with_ways(best_settled(settled, costs), senses, costs);
 }
 
 }  // namespace tramline

@@ -49,8 +49,7 @@ std::vector<Manoeuvre> DrivingGround::words(const Pose& from, const Pose& to) co
 }
 
 bool DrivingGround::has_room_along(const SteeredPath& path) const {
-  return with_passables_ ? with_passables_->nearly_fits(path, outline_)
-                         : turning_.nearly_fits(path, outline_);
+  return land().nearly_fits(path, outline_);
 }
 
 bool DrivingGround::can_follow(const SteeredPath& path) const {
@@ -61,8 +60,7 @@ bool DrivingGround::can_follow(const SteeredPath& path) const {
 
 double DrivingGround::lacking_along_m(const SteeredPath& path) const {
   if (has_room_along(path)) return 0;
-  const AllowedLand& land = with_passables_ ? *with_passables_ : turning_;
-  const double missing_m = land.missing_m(path, outline_);
+  const double missing_m = land().missing_m(path, outline_);
   return missing_m > kNoticed_m ? missing_m : 0;
 }
 

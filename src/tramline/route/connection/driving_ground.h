@@ -24,6 +24,8 @@ class DrivingGround {
   const Machine& machine() const { return machine_; }
   const Outline& outline() const { return outline_; }
   const AllowedLand& turning() const { return turning_; }
+  /// With the passable obstacles, which are crossed straight on.
+  const AllowedLand& land() const { return with_passables_ ? *with_passables_ : turning_; }
 
   /// The shortest ways forward between two poses, the shortest first; with clothoids where the wheels take
   /// time to be steered, and then there may be none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/tolerances.h"
@@ -19,21 +20,49 @@ constexpr double kNextPasses_widths = 1.5;
 Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
 Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
 
-RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, bool of_passes) {
+RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, std::size_t phase) {
   RouteNode out;
-  out.of_passes = of_passes;
+  out.phase = phase;
   out.left = {pose_of(arriving.axle(arriving.length_m()))};
   out.entered = {pose_of(leaving.axle(0))};
   return out;
 }
 
+/// Tracks and passes by the phases in which a route works them: a phase ends where a track follows a pass or
+/// a pass a track. What the route does not work is in the first.
+class WorkPhases {
+ public:
+  explicit WorkPhases(const Plan& plan) {
+    const RouteLeg* before = nullptr;
+    for (const RouteLeg& leg : plan.route.legs) {
+      if (!leg.piece && !leg.pass) continue;
+      if (before && before->pass.has_value() != leg.pass.has_value()) ++last_;
+      before = &leg;
+      if (leg.pass)
+        by_pass_[*leg.pass] = last_;
+      else
+        by_piece_[*leg.piece] = last_;
+    }
+  }
+  std::size_t last() const { return last_; }
+  std::size_t of_piece(std::size_t piece) const { return found(by_piece_, piece); }
+  std::size_t of_pass(std::size_t pass) const { return found(by_pass_, pass); }
+
+ private:
+  static std::size_t found(const std::map<std::size_t, std::size_t>& phases, std::size_t of) {
+    const auto at = phases.find(of);
+    return at == phases.end() ? 0 : at->second;
+  }
+  std::map<std::size_t, std::size_t> by_piece_, by_pass_;
+  std::size_t last_ = 0;
+};
+
 class Nodes {
  public:
-  explicit Nodes(const Plan& plan) : plan_(plan) {}
+  explicit Nodes(const Plan& plan) : plan_(plan), phases_(plan) {}
 
   RouteNodes run() {
     add_pieces();
-    const bool has_tracks = !out_.members.empty();
     for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i)
       if (!is_closed(plan_.headland.passes[i])) add_open_pass(i);
     std::vector<std::size_t> closed;
@@ -41,13 +70,10 @@ class Nodes {
     if (plan_.headland.construction == HeadlandConstruction::kDrivable)
       for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i)
         if (is_closed(plan_.headland.passes[i])) closed.push_back(i);
-    const bool has_open = !out_.nodes.empty() && out_.nodes.back().of_passes;
-    const bool has_passes = has_open || !closed.empty();
     const RouteSettings& asked = plan_.settings.route;
     const std::vector<RouteLeg>& legs = plan_.route.legs;
-    const auto passes_at = [&](PassTime time) { return has_passes && (!has_tracks || asked.passes == time); };
-    if (asked.start) add_gate(legs.front().path.front().start.at, passes_at(PassTime::kFirst));
-    if (asked.end) add_gate(last_place(legs.back().path).at, passes_at(PassTime::kLast));
+    if (asked.start) add_gate(legs.front().path.front().start.at, 0);
+    if (asked.end) add_gate(last_place(legs.back().path).at, phases_.last());
     for (const std::size_t pass : closed) add_closed_pass(pass);
     return std::move(out_);
   }
@@ -65,8 +91,9 @@ class Nodes {
       const auto back = [&](std::size_t i) {
         return WorkedCourse(reversed(centre_line(plan_.pieces[i])), PathEnds::kApart, plan_.machine);
       };
-      add_member({line_end(back(first), course_of_piece(plan_, first), false),
-                  line_end(course_of_piece(plan_, next - 1), back(next - 1), false)});
+      const std::size_t phase = phases_.of_piece(first);
+      add_member({line_end(back(first), course_of_piece(plan_, first), phase),
+                  line_end(course_of_piece(plan_, next - 1), back(next - 1), phase)});
       for (std::size_t i = first; i + 1 < next; ++i) {
         const WorkedCourse before = course_of_piece(plan_, i);
         out_.crossings_m +=
@@ -78,13 +105,14 @@ class Nodes {
   void add_open_pass(std::size_t i) {
     const WorkedCourse pass = course_of_pass(plan_, i, PassSense::kAlong),
                        back = course_of_pass(plan_, i, PassSense::kAgainst);
-    add_member({line_end(back, pass, true), line_end(pass, back, true)});
+    const std::size_t phase = phases_.of_pass(i);
+    add_member({line_end(back, pass, phase), line_end(pass, back, phase)});
   }
 
-  void add_gate(Point at, bool of_passes) {
+  void add_gate(Point at, std::size_t phase) {
     RouteNode gate;
     gate.kind = NodeKind::kGate;
-    gate.of_passes = of_passes;
+    gate.phase = phase;
     gate.left = gate.entered = {{at, Heading::clockwise_from_north(Angle::degrees(0))}};
     add_member({gate});
   }
@@ -92,7 +120,7 @@ class Nodes {
   void add_closed_pass(std::size_t i) {
     RouteNode pass;
     pass.kind = NodeKind::kClosedPass;
-    pass.of_passes = true;
+    pass.phase = phases_.of_pass(i);
     for (const PassSense sense : {PassSense::kAlong, PassSense::kAgainst}) {
       const WorkedCourse course = course_of_pass(plan_, i, sense);
       const double places = std::clamp(std::ceil(course.length_m() - kWholeMetre_m), 1.0, kMostPlaces);
@@ -105,6 +133,7 @@ class Nodes {
   }
 
   const Plan& plan_;
+  WorkPhases phases_;
   RouteNodes out_;
 };
 

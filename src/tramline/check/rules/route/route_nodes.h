@@ -19,7 +19,8 @@ enum class NodeKind { kLineEnd, kGate, kClosedPass };
 /// its places.
 struct RouteNode {
   NodeKind kind = NodeKind::kLineEnd;
-  bool of_passes = false;     ///< whether passes are on its side of the route, or tracks
+  std::size_t phase =
+      0;  ///< of tracks or of passes in the route, by which it is worked; of a gate the nearest
   std::vector<Pose> left;     ///< the axle, where the work ends there
   std::vector<Pose> entered;  ///< where the work begins there
   double step_m = 0;          ///< from each place of a closed pass to the next; 0: there is one place

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "tramline/check/rules/route/route_nodes.h"
@@ -62,37 +64,43 @@ class Bound {
     return known_s;
   }
 
-  /// The least spanning tree of these members (Prim 1957).
-  double tree_s(const std::vector<RouteMember>& members) const {
-    std::vector<double> join_s(members.size(), kNever_s);
-    std::vector<bool> joined(members.size(), false);
+  /// The least spanning tree of things of which two are joined at `join_s(a, b, known_s)` (Prim 1957).
+  template <class Join>
+  static double tree_s(std::size_t count, const Join& join_s) {
+    std::vector<double> least_s(count, kNever_s);
+    std::vector<bool> joined(count, false);
     double sum_s = 0;
     std::size_t latest = 0;
-    for (std::size_t count = 1; count < members.size(); ++count) {
+    for (std::size_t done = 1; done < count; ++done) {
       joined[latest] = true;
-      std::size_t next = members.size();
-      for (std::size_t i = 0; i < members.size(); ++i) {
+      std::size_t next = count;
+      for (std::size_t i = 0; i < count; ++i) {
         if (joined[i]) continue;
-        join_s[i] = cheapest_s(members[latest], members[i], join_s[i]);
-        if (next == members.size() || join_s[i] < join_s[next]) next = i;
+        least_s[i] = join_s(latest, i, least_s[i]);
+        if (next == count || least_s[i] < least_s[next]) next = i;
       }
-      sum_s += join_s[next];
+      sum_s += least_s[next];
       latest = next;
     }
     return sum_s;
   }
 
-  /// All passes come before all tracks or after them: a tree over each, and one join.
+  /// The route makes one join from each phase to the next: a tree over each, and one over all of them.
   double trees_s() const {
-    std::vector<RouteMember> tracks, passes;
-    for (const RouteMember& member : route_.members)
-      (first_node(member).of_passes ? passes : tracks).push_back(member);
-    double out = tree_s(tracks) + tree_s(passes);
-    if (tracks.empty() || passes.empty()) return out;
-    double join_s = kNever_s;
-    for (const RouteMember& track : tracks)
-      for (const RouteMember& pass : passes) join_s = cheapest_s(track, pass, join_s);
-    return out + join_s;
+    std::map<std::size_t, std::vector<RouteMember>> by_phase;
+    for (const RouteMember& member : route_.members) by_phase[first_node(member).phase].push_back(member);
+    std::vector<std::vector<RouteMember>> phases;
+    for (auto& [number, members] : by_phase) phases.push_back(std::move(members));
+    double out = 0;
+    for (const std::vector<RouteMember>& phase : phases)
+      out += tree_s(phase.size(), [&](std::size_t a, std::size_t b, double known_s) {
+        return cheapest_s(phase[a], phase[b], known_s);
+      });
+    return out + tree_s(phases.size(), [&](std::size_t a, std::size_t b, double known_s) {
+             for (const RouteMember& one : phases[a])
+               for (const RouteMember& other : phases[b]) known_s = cheapest_s(one, other, known_s);
+             return known_s;
+           });
   }
 
   /// A route is a spanning tree that joins each end and each gate once and each closed pass twice, but once

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
+#include "tramline/check/turning/land_parts.h"
 
 namespace tramline::check {
 namespace {
@@ -36,7 +38,8 @@ Deviation deviation(const SteeredPath& path, const WorkedCourse& course, double 
 
 class OrderCheck {
  public:
-  OrderCheck(const Case& c, Violations& out) : plan_(c.plan), legs_(c.plan.route.legs), out_(out) {}
+  OrderCheck(const Case& c, Violations& out)
+      : plan_(c.plan), legs_(c.plan.route.legs), parts_(c.plan), out_(out) {}
 
   void run() {
     for (std::size_t i = 0; i < legs_.size(); ++i) check_what_it_works(i);
@@ -190,14 +193,43 @@ class OrderCheck {
     });
   }
 
-  /// Headland passes come before all pieces or after them, as the settings ask.
+  /// One part of the land after the other, and on each headland passes before all tracks or after them, as
+  /// the settings ask.
   void check_when_passes() {
     const bool first = plan_.settings.route.passes == PassTime::kFirst;
-    const std::vector<std::size_t> works = work_legs(plan_);
-    if (works.empty()) return;
-    for (std::size_t i = 0; i < legs_.size(); ++i)
-      if (legs_[i].pass && (first ? i > works.front() : i < works.back()))
-        add(i, first ? "follows a pass after the tracks" : "follows a pass before the tracks are done");
+    std::set<std::size_t> left;
+    std::optional<std::size_t> part;
+    bool too_late = false;
+    for (std::size_t i = 0; i < legs_.size(); ++i) {
+      const RouteLeg& leg = legs_[i];
+      if (!leg.piece && !leg.pass) continue;
+      const std::size_t here = part_of(leg);
+      if (part && here != *part) {
+        left.insert(*part);
+        too_late = false;
+        if (left.contains(here))
+          add(i, "goes back to land that the machine cannot drive to, and that it had left");
+      }
+      part = here;
+      if (first ? leg.piece.has_value() : leg.pass.has_value()) too_late = true;
+      if (too_late && (first ? leg.pass.has_value() : leg.piece.has_value()))
+        add(i, first ? "follows a pass after the tracks" : "works a track after the passes");
+    }
+  }
+
+  /// Of its line or pass. Passes with sharp corners, of which no bound knows, are worked in one phase.
+  std::size_t part_of(const RouteLeg& leg) const {
+    if (parts_.count() < 2 || plan_.headland.construction != HeadlandConstruction::kDrivable) return 0;
+    if (leg.pass) return part_of_pass(*leg.pass);
+    std::size_t piece = *leg.piece;
+    while (piece > 0 && plan_.pieces[piece].after_crossing) --piece;
+    const WorkedCourse course = course_of_piece(plan_, piece);
+    return parts_.part_of(course.axle(0.5 * course.length_m()).at);
+  }
+
+  std::size_t part_of_pass(std::size_t pass) const {
+    const WorkedCourse course = course_of_pass(plan_, pass, PassSense::kAlong);
+    return parts_.part_of(course.axle(0.5 * course.length_m()).at);
   }
 
   static bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b) {
@@ -206,7 +238,8 @@ class OrderCheck {
                               b.obstacles.end()) != a.obstacles.end();
   }
 
-  /// Of passes along one boundary the outer ones come first, or the inner ones, where the settings ask.
+  /// Of passes along one boundary and on one part of the land the outer ones come first, or the inner ones,
+  /// where the settings ask.
   void check_sequence() {
     const PassSequence sequence = plan_.settings.route.sequence;
     if (sequence == PassSequence::kAny) return;
@@ -218,7 +251,8 @@ class OrderCheck {
         if (!later || !along_one_boundary(passes[one], passes[other])) continue;
         const std::vector<std::size_t> too_early = legs_of_pass(plan_, one),
                                        late = legs_of_pass(plan_, other);
-        if (!too_early.empty() && !late.empty() && too_early.front() < late.front())
+        if (too_early.empty() || late.empty() || too_early.front() > late.front()) continue;
+        if (part_of(legs_[too_early.front()]) == part_of(legs_[late.front()]))
           add(too_early.front(),
               fmt::format("comes before {}, though passes go {}", pass_name(other), name(sequence)));
       }
@@ -226,6 +260,7 @@ class OrderCheck {
 
   const Plan& plan_;
   const std::vector<RouteLeg>& legs_;
+  LandParts parts_;
   Violations& out_;
   bool references_exist_ = true;
 };
