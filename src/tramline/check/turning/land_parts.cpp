@@ -34,7 +34,8 @@ LandParts::LandParts(const Plan& plan) {
   for (const Obstacle& obstacle : plan.field.obstacles)
     if (obstacle.kind != ObstacleKind::kPassable) obstacles.push_back(obstacle.shape);
   const Region land = *beyond_m > 0 ? buffered(field, *beyond_m) : field;
-  const double aside_m = 0.5 * std::max(plan.machine.width_m, plan.machine.turning.vehicle_width_m) - kNarrower_m;
+  const double aside_m =
+      0.5 * std::max(plan.machine.width_m, plan.machine.turning.vehicle_width_m) - kNarrower_m;
   const Region all = obstacles.empty() ? land : difference(land, unite(obstacles));
   places_ = aside_m > 0 ? buffered(all, -aside_m) : all;
 }

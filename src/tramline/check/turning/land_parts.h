@@ -7,7 +7,8 @@
 
 namespace tramline::check {
 
-/// Two parts are joined only by land narrower than the machine and its implement. Passable obstacles are land.
+/// Two parts are joined only by land narrower than the machine and its implement. Passable obstacles are
+/// land.
 class LandParts {
  public:
   explicit LandParts(const Plan& plan);

@@ -112,8 +112,10 @@ PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
   plan.subfields = found.best.subfields;
   Tally tracks = found.best.avoided.tally;
   if (plan.settings.turns == TurnPlanning::kTurns) tracks.stops = plan_turns(task.turning_land, plan);
-  if (out.driven.route)
+  if (out.driven.route) {
+    out.parts = out.driven.route->parts;
     tracks.stops = add_route(task.turning_land, *std::exchange(out.driven.route, std::nullopt), plan);
+  }
   set_figures(plan, tracks);
   return out;
 }

@@ -16,7 +16,8 @@ void require_tracks(const SearchTask& task, const Tally& tally);
 /// single pieces, encounters, layers of polygons, the bounds and warnings.
 struct PlanDraft {
   Plan plan;
-  Driven driven;  ///< without pieces and route, which the plan has
+  Driven driven;          ///< without pieces and route, which the plan has
+  std::size_t parts = 1;  ///< of the land, which the route works one after the other
 };
 
 /// The best candidate as a draft. Throws as require_tracks().

@@ -274,12 +274,13 @@ class Comparison {
   /// costs less than the ends of open passes, in and out of which the machine has to be turned or backed.
   bool open_passes_may_pay() const { return narrow_ || lacks_room(); }
 
-  /// Whether the best plan has legs without room, or backs out of or into every fourth track.
+  /// Whether the best plan has legs without room besides those between parts of the land, or backs out of or
+  /// into every fourth track.
   bool lacks_room() const {
     const Plan& plan = best().draft.plan;
     const auto back_outs = std::count_if(plan.route.legs.begin(), plan.route.legs.end(),
                                          [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
-    return sums_of(plan.route).without_room > 0 ||
+    return leaves_land(best().draft) ||
            kSeldomBacksOut * static_cast<std::size_t>(back_outs) > plan.pieces.size();
   }
 

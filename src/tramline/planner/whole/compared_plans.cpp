@@ -56,10 +56,12 @@ bool all_round(const PassesByBoundary& passes) {
          passes.edges.end();
 }
 
+bool leaves_land(const PlanDraft& draft) { return sums_of(draft.plan.route).without_room + 1 > draft.parts; }
+
 bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan) {
   const int depth = depth_of(plan);
   const auto lacking = std::count_if(plans.begin(), plans.end(), [&](const ComparedPlan& other) {
-    return other.price && depth_of(other) == depth && sums_of(other.plan().route).without_room > 0;
+    return other.price && depth_of(other) == depth && leaves_land(other.laid.trial.draft);
   });
   return lacking >= kEnoughWithoutRoom;
 }

@@ -30,8 +30,11 @@ inline constexpr double kComesNear = 0.1;
 /// Whether as many passes lie along all edges.
 bool all_round(const PassesByBoundary& passes);
 
-/// Whether several routes behind as many passes all round have legs without room: then the shape of the land
-/// lacks it. O(n), as all that follow: none looks at anything but directions, passes and prices.
+/// Whether a route has more legs without room than it takes to go from each part of the land to the next.
+bool leaves_land(const PlanDraft& draft);
+
+/// Whether several routes behind as many passes all round leave the land: then the shape of the land lacks
+/// room. O(n), as all that follow: none looks at anything but directions, passes and prices.
 bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan);
 
 /// Whether one of them has these passes and directions.

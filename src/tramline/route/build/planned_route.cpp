@@ -89,6 +89,7 @@ class RoutePlanner {
       last_part_ = i + 1 == parts.size();
       add_part(parts[i], given);
     }
+    out_.parts = parts.size();
     if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
     out_.legs = std::move(legs_).finished();
     measure_room_at_work();

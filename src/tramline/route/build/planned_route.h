@@ -1,6 +1,7 @@
 #pragma once
 // The whole route over a field: tracks, headland passes, and the ways between them.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct RouteTask {
 struct PlannedRoute {
   order::Tour tour;  ///< over the lines
   std::vector<RouteLeg> legs;
+  std::size_t parts = 1;         ///< of the land with work, between which it has to leave the land
   std::optional<Point> start{};  ///< gates as driven: moved to where the machine has room
   std::optional<Point> end{};
 };

@@ -50,8 +50,8 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
   return cost_of_ways(tour.ways) + at_ends(tour.tour, costs);
 }
 
-/// Of tours whose ways are known the one with the fewest ways without room, and of these the quickest: on land
-/// on which some way has none, how much is missing there decides nothing.
+/// Of tours whose ways are known the one with the fewest ways without room, and of these the quickest: on
+/// land on which some way has none, how much is missing there decides nothing.
 Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
   const auto rank = [&](const Tour& tour) {
     const TrackTour there = in_order(tour, costs);

@@ -56,7 +56,8 @@ struct Part {
 };
 
 /// Those with work.
-std::vector<Part> parts_with_work(Region places, const std::vector<RouteLine>& lines, const Headland& headland) {
+std::vector<Part> parts_with_work(Region places, const std::vector<RouteLine>& lines,
+                                  const Headland& headland) {
   std::vector<Part> out;
   for (const Polygon& part : places) out.push_back({part});
   for (std::size_t i = 0; i < lines.size(); ++i) {
