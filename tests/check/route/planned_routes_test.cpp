@@ -111,6 +111,16 @@ TEST(PlannedRoutes, hold_on_land_in_two_parts) {
   expect_route_holds(with_lane(4), machine(6, 6), settings);
 }
 
+// Up to 0.1 m less than the machine's width the lane is held for wide enough, by the planner and by the check.
+TEST(PlannedRoutes, hold_where_parts_are_hardly_joined) {
+  PlanSettings settings = whole_route(2);
+  settings.boundary = EdgeKind::kHard;
+  for (const double lane_m : {2.0, 5.5, 5.89, 5.91, 5.99, 6.01}) {
+    SCOPED_TRACE(lane_m);
+    expect_route_holds(with_lane(lane_m), machine(6, 6), settings);
+  }
+}
+
 // Where the lane is wide all tracks come before all passes. Were it narrow, the passes on one side would come
 // after work on the other.
 TEST(PlannedRoutes, finish_one_part_before_the_next) {
