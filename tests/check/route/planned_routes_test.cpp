@@ -111,7 +111,8 @@ TEST(PlannedRoutes, hold_on_land_in_two_parts) {
   expect_route_holds(with_lane(4), machine(6, 6), settings);
 }
 
-// Up to 0.1 m less than the machine's width the lane is held for wide enough, by the planner and by the check.
+// Up to 0.1 m less than the machine's width the lane is held for wide enough, by the planner and by the
+// check.
 TEST(PlannedRoutes, hold_where_parts_are_hardly_joined) {
   PlanSettings settings = whole_route(2);
   settings.boundary = EdgeKind::kHard;

@@ -56,7 +56,7 @@ struct Part {
 };
 
 /// Those with work.
-std::vector<Part> parts_with_work(Region places, const std::vector<RouteLine>& lines,
+std::vector<Part> parts_with_work(const Region& places, const std::vector<RouteLine>& lines,
                                   const Headland& headland) {
   std::vector<Part> out;
   for (const Polygon& part : places) out.push_back({part});

@@ -27,8 +27,8 @@ struct RouteEnds {
 /// outline, which nobody drives through: a route leaves the land between them, and does so least often where
 /// it finishes one before it goes to the next. In driving order: first the part where the route starts, or
 /// that of the most work, then the nearest each time, and last the one where the route ends. All in one where
-/// passes have sharp corners, which are no part of a bound. Deterministic. O(n) for n corners and lines
-/// besides one polygon erosion.
+/// passes have sharp corners, which are no part of a bound. Deterministic. O(n·m) for n corners and m
+/// lines and passes, besides one polygon erosion.
 std::vector<PartWork> work_by_part(const std::vector<RouteLine>& lines, const Headland& headland,
                                    const RouteEnds& ends, const DrivingGround& ground);
 
