@@ -19,8 +19,7 @@ enum class NodeKind { kLineEnd, kGate, kClosedPass };
 /// its places.
 struct RouteNode {
   NodeKind kind = NodeKind::kLineEnd;
-  std::size_t phase =
-      0;  ///< of tracks or of passes in the route, by which it is worked; of a gate the nearest
+  std::size_t phase = 0;      ///< of the route, in which it is worked; of a gate the first or the last
   std::vector<Pose> left;     ///< the axle, where the work ends there
   std::vector<Pose> entered;  ///< where the work begins there
   double step_m = 0;          ///< from each place of a closed pass to the next; 0: there is one place
