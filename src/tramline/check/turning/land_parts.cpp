@@ -30,13 +30,17 @@ LandParts::LandParts(const Plan& plan) {
   const std::optional<double> beyond_m = land_beyond_m(plan);
   if (!beyond_m) return;
   const Region field{{plan.field.outer, {}}};
-  Region obstacles;
-  for (const Obstacle& obstacle : plan.field.obstacles)
-    if (obstacle.kind != ObstacleKind::kPassable) obstacles.push_back(obstacle.shape);
-  const Region land = *beyond_m > 0 ? buffered(field, *beyond_m) : field;
+  Region all = *beyond_m > 0 ? buffered(field, *beyond_m) : field;
+  Region obstacles, crossed;
+  for (const Obstacle& obstacle : plan.field.obstacles) {
+    obstacles.push_back(obstacle.shape);
+    if (obstacle.kind == ObstacleKind::kPassable) crossed.push_back(obstacle.shape);
+  }
+  if (!obstacles.empty()) all = difference(all, unite(obstacles));
+  all.insert(all.end(), crossed.begin(), crossed.end());
+  if (!crossed.empty()) all = unite(all);
   const double aside_m =
       0.5 * std::max(plan.machine.width_m, plan.machine.turning.vehicle_width_m) - kNarrower_m;
-  const Region all = obstacles.empty() ? land : difference(land, unite(obstacles));
   places_ = aside_m > 0 ? buffered(all, -aside_m) : all;
 }
 
