@@ -93,7 +93,7 @@ flow('a log from elsewhere is told of at once, with ways to go on', { skip: long
   await page.getByText('Gaps, the largest first').waitFor({ timeout: 60_000 });
 });
 
-flow('watch a machine over the network, stop it, and see its drive', {}, async ({ page }) => {
+flow('watch a machine over the network, stop it, and see its drive', { skip: long }, async ({ page }) => {
   const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 400, most: 1500 });
   try {
     await openField(page, example('riverside.geojson'));
