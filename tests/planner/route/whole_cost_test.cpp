@@ -154,8 +154,8 @@ TEST(CheapestRoute, DrivesALongFieldLengthwise) {
 }
 
 // A disc of 45 m is driven in 15 circles of 3 m from its rim to its centre, with no turn between tracks.
-// Fewer passes leave a disc to tracks and cost more, and all depths between cost more than the one before:
-// the circles are not come to step by step.
+// Fewer passes leave a disc to tracks and cost more, and so does one pass more than turns need: the circles
+// are not come to step by step.
 TEST(CheapestRoute, DrivesARoundFieldInCircles) {
   Field field;
   field.id = "round";

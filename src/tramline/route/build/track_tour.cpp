@@ -54,9 +54,15 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
 /// land on which some way has none, how much is missing there decides nothing.
 Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
   const auto rank = [&](const Tour& tour) {
-    const TrackTour there = in_order(tour, costs);
-    const auto lacking = without_room(there.ways);
-    return std::pair(lacking, lacking == 0 ? order::connection_s(tour, costs) : whole_cost(there, costs));
+    std::ptrdiff_t lacking = 0;
+    double ways_s = 0;
+    for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
+      const Way& way = costs.way(order::other_end(tour[i]), tour[i + 1]);
+      ways_s += way.cost_s;
+      if (!way.has_room()) ++lacking;
+    }
+    return std::pair(lacking,
+                     lacking == 0 ? order::connection_s(tour, costs) : ways_s + at_ends(tour, costs));
   };
   return *std::ranges::min_element(tours, {}, rank);
 }

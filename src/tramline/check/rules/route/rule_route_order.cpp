@@ -46,7 +46,7 @@ class OrderCheck {
     if (!references_exist_) return;
     check_pieces_in_order();
     for (std::size_t pass = 0; pass < plan_.headland.passes.size(); ++pass) check_pass(pass);
-    check_when_passes();
+    check_parts_and_phases();
     check_sequence();
   }
 
@@ -193,9 +193,9 @@ class OrderCheck {
     });
   }
 
-  /// One part of the land after the other, and on each headland passes before all tracks or after them, as
-  /// the settings ask.
-  void check_when_passes() {
+  /// One part of the land is worked after the other, and on each of them all headland passes before all
+  /// tracks or after them, as the settings ask.
+  void check_parts_and_phases() {
     const bool first = plan_.settings.route.passes == PassTime::kFirst;
     std::set<std::size_t> left;
     std::optional<std::size_t> part;
@@ -208,7 +208,7 @@ class OrderCheck {
         left.insert(*part);
         too_late = false;
         if (left.contains(here))
-          add(i, "goes back to land that the machine cannot drive to, and that it had left");
+          add(i, "goes back to land that it had left, and that the machine cannot drive to");
       }
       part = here;
       if (first ? leg.piece.has_value() : leg.pass.has_value()) too_late = true;
