@@ -123,7 +123,7 @@ WorkedOrder evaluated(App& app, DriveOrder order, JobRun& run) {
   OpenedPlanPtr plan;
   if (!order.plan.empty()) plan = app.plans.open(order.plan);
   if (plan && ground.ground.empty()) {
-    ground = app::work_ground(plan->file.plan);
+    ground = app::work_ground(plan->plan);
     order.field = app.plans.get(order.plan).field;
   }
   std::string remark;
@@ -143,8 +143,7 @@ WorkedOrder evaluated(App& app, DriveOrder order, JobRun& run) {
   if (!remark.empty()) evaluation.coverage.warnings.push_back(remark);
   if (plan) {
     run.step("comparing it with " + plan->notes.name);
-    evaluation.compared =
-        app::plan_and_done(plan->file.plan, plan->notes.name, *as_read, settings, told_to(run));
+    evaluation.compared = app::plan_and_done(plan->plan, plan->notes.name, *as_read, settings, told_to(run));
   }
   run.check();
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

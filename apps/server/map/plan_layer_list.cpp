@@ -45,8 +45,7 @@ double dropped_length(const Plan& plan) {
 
 }  // namespace
 
-ordered_json layer_list(const io::PlanFile& file) {
-  const Plan& plan = file.plan;
+ordered_json layer_list(const Plan& plan) {
   const Tally& tally = plan.tally;
   ordered_json out = ordered_json::array();
   out.push_back(entry(layers::kField, "Field", 1, area(Polygon{plan.field.outer, {}})));

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tramline/io/plan/read_plan.h"
+#include "tramline/model/plan.h"
 
 namespace tramline::server {
 
-/// The layers of a plan file that have shapes, in the order to draw them: [{name, title, features, m2, m}].
-nlohmann::ordered_json layer_list(const io::PlanFile& file);
+/// The layers of a plan's file that have shapes, in the order to draw them: [{name, title, features, m2, m}].
+nlohmann::ordered_json layer_list(const Plan& plan);
 
 }  // namespace tramline::server

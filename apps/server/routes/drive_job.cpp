@@ -129,7 +129,7 @@ ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
     notes.field = drive.field;
     notes.seconds = part.seconds;
     notes.explain = {{"repair", prices_of(part.done)}};
-    const std::string plan = app.plans.add(part.done.plan, notes).id;
+    const std::string plan = app.plans.add(part.done.plan, std::move(notes)).id;
     plans.push_back(
         {{"plan", plan}, {"report", app::repair_json(part.done, request.min_area_m2, part.seconds)}});
   }

@@ -43,15 +43,15 @@ void add_front_routes(Router& router, App& app) {
   router.post(api("/fronts/{front}/points/{point}"), [&app](const Call& call, httplib::Response& response) {
     const KeptFrontPtr front = app.fronts.get(call.part("front"));
     const std::size_t point = point_in(*front, call.part("point"));
-    const PlanNotes notes{fmt::format("{}, plan {}", front->name, point + 1),
-                          front->field->id,
-                          front->field->skipped,
-                          0,
-                          nullptr,
-                          false,
-                          front->asked,
-                          shape_key(front->field->field)};
-    answer(response, {{"plan", app.plans.add(plan_of(front->found, point), notes).id}}, 201);
+    PlanNotes notes{fmt::format("{}, plan {}", front->name, point + 1),
+                    front->field->id,
+                    front->field->skipped,
+                    0,
+                    nullptr,
+                    false,
+                    front->asked,
+                    shape_key(front->field->field)};
+    answer(response, {{"plan", app.plans.add(plan_of(front->found, point), std::move(notes)).id}}, 201);
   });
 }
 

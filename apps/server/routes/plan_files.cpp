@@ -141,7 +141,7 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
     });
   if (const FileFormat* format = named(kPictures, word))
     return written(*format, [&](const std::filesystem::path& path) {
-      render::draw_plan(app.plans.open(plan.id)->file.plan, path);
+      render::draw_plan(app.plans.open(plan.id)->plan, path);
     });
   throw HttpError(
       Fault::kNotFound,
@@ -158,7 +158,7 @@ constexpr int kThumbnail_px = 144;
 void send_thumbnail(App& app, const Call& call, httplib::Response& response) {
   const KeptPlan plan = app.plans.get(call.part("plan"));
   send_written(response, app.folder, plan.name, ".png", "image/png", [&](const std::filesystem::path& path) {
-    render::draw_thumbnail(app.plans.open(plan.id)->file.plan, path, kThumbnail_px);
+    render::draw_thumbnail(app.plans.open(plan.id)->plan, path, kThumbnail_px);
   });
   response.set_header("Cache-Control", "private, max-age=31536000, immutable");
 }

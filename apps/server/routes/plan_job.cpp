@@ -90,8 +90,8 @@ Plan edited_plan(App& app, const PlanRequest& request, const std::string& shape,
   if (before->notes.field != request.field->id || before->notes.shape != shape)
     throw bad_input(
         "the plan to be edited is of another field, or of a shape that the field had; plan it anew");
-  return plan_edited(before->file.plan, request.field->field, request.machine, request.objective,
-                     request.settings, 0, progress);
+  return plan_edited(before->plan, request.field->field, request.machine, request.objective, request.settings,
+                     0, progress);
 }
 
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
@@ -120,7 +120,7 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
   }
   run.check();
   notes.seconds = seconds_since(start);
-  return {{"plan", app.plans.add(plan, notes).id}};
+  return {{"plan", app.plans.add(std::move(plan), std::move(notes)).id}};
 }
 
 void require_free_directions(const PlanSettings& settings) {

@@ -72,7 +72,7 @@ ordered_json summary_of(const Plan& plan, const PlanNotes& notes) {
 }
 
 ordered_json in_full(const App& app, const KeptPlan& kept, const OpenedPlan& opened) {
-  const Plan& plan = opened.file.plan;
+  const Plan& plan = opened.plan;
   return {{"id", kept.id},
           {"name", kept.name},
           {"field", kept.field},
@@ -100,8 +100,8 @@ std::string layer_of(App& app, const Call& call) {
   const std::string& layer = call.part("layer");
   const KeptPlan kept = app.plans.get(call.part("plan"));
   const double detail_m = detail_in(call);
-  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id)->file.plan, detail_m).dump();
-  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id)->file.plan, detail_m).dump();
+  if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
+  if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
   return while_kept([&] { app.plans.get(kept.id); },
                     [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, layer, detail_m); });
 }
@@ -134,7 +134,7 @@ void add_plan_routes(Router& router, App& app) {
     answer(response, {{"deleted", call.part("plan")}});
   });
   router.get(api("/plans/{plan}/layers"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, layer_list(app.plans.open(call.part("plan"))->file));
+    answer(response, layer_list(app.plans.open(call.part("plan"))->plan));
   });
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
     send_geojson(call.request(), response, layer_of(app, call));

@@ -104,21 +104,22 @@ KeptPlan PlanStore::read(const std::string& id) const {
   return out;
 }
 
-KeptPlan PlanStore::write(const std::string& id, const std::string& created, const Plan& plan,
-                          const PlanNotes& notes) {
-  io::write_plan(plan, folder_.file(kPlans, id), remarks_of(created, plan, notes));
+KeptPlan PlanStore::write(const std::string& id, const std::string& created, OpenedPlan opened) {
+  io::write_plan(opened.plan, folder_.file(kPlans, id), remarks_of(created, opened.plan, opened.notes));
   KeptPlan out = read(id);
+  auto kept = std::make_shared<const OpenedPlan>(std::move(opened));
   const std::lock_guard lock(mutex_);
   plans_[id] = out;
   ++writes_;
-  std::erase_if(opened_, [&](const Opened& one) { return one.id == id; });
+  put_first(id, std::move(kept));
   return out;
 }
 
-KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
-  KeptPlan out = write(new_id(), time_now(), plan, notes);
+KeptPlan PlanStore::add(Plan plan, PlanNotes notes) {
   const bool is_edit = notes.asked.is_object() && notes.asked.contains("edit_of");
-  if (out.draft) drop_other_drafts(out, is_edit ? notes.asked["edit_of"].get<std::string>() : "");
+  const std::string edited = is_edit ? notes.asked["edit_of"].get<std::string>() : "";
+  KeptPlan out = write(new_id(), time_now(), {std::move(plan), std::move(notes)});
+  if (out.draft) drop_other_drafts(out, edited);
   return out;
 }
 
@@ -166,6 +167,13 @@ OpenedPlanPtr PlanStore::opened_before(const std::string& id) const {
   return found == opened_.end() ? nullptr : found->plan;
 }
 
+/// In the place of what was in memory of it.
+void PlanStore::put_first(const std::string& id, OpenedPlanPtr plan) const {
+  std::erase_if(opened_, [&](const Opened& one) { return one.id == id; });
+  opened_.push_front({id, std::move(plan)});
+  if (opened_.size() > kOpenedAtOnce) opened_.pop_back();
+}
+
 OpenedPlanPtr PlanStore::open(const std::string& id) const {
   std::uint64_t writes = 0;
   {
@@ -173,25 +181,21 @@ OpenedPlanPtr PlanStore::open(const std::string& id) const {
     writes = writes_;
     if (OpenedPlanPtr known = plans_.contains(id) ? opened_before(id) : nullptr) return known;
   }
-  OpenedPlan read{on_disk(id), {}};
-  read.notes = notes_in(read.file.remarks);
-  auto out = std::make_shared<const OpenedPlan>(std::move(read));
+  io::PlanFile file = on_disk(id);
+  auto out = std::make_shared<const OpenedPlan>(OpenedPlan{std::move(file.plan), notes_in(file.remarks)});
   const std::lock_guard lock(mutex_);
   // What was written meanwhile may be this plan.
-  if (writes != writes_ || opened_before(id) != nullptr) return out;
-  opened_.push_front({id, out});
-  if (opened_.size() > kOpenedAtOnce) opened_.pop_back();
+  if (writes == writes_) put_first(id, out);
   return out;
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
   const std::lock_guard one_at_a_time(changing_);
   const KeptPlan known = get(id);
-  const OpenedPlanPtr opened = open(id);
-  PlanNotes notes = opened->notes;
-  notes.name = name;
-  notes.draft = false;
-  return write(id, known.created, opened->file.plan, notes);
+  OpenedPlan renamed = *open(id);
+  renamed.notes.name = name;
+  renamed.notes.draft = false;
+  return write(id, known.created, std::move(renamed));
 }
 
 KeptPlan PlanStore::keep(const std::string& id) {

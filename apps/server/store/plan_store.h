@@ -55,7 +55,7 @@ struct PlanNotes {
 
 /// A plan with its notes.
 struct OpenedPlan {
-  io::PlanFile file;
+  Plan plan;
   PlanNotes notes;
 };
 
@@ -83,13 +83,14 @@ class PlanStore {
 
   /// A draft drops the drafts that were there of its field, once it is stored itself; but for the one that it
   /// is an edit of, which its user may go back to.
-  KeptPlan add(const Plan& plan, const PlanNotes& notes);
+  KeptPlan add(Plan plan, PlanNotes notes);
 
  private:
   KeptPlan read(const std::string& id) const;
   void drop_other_drafts(const KeptPlan& newest, const std::string& edited);
-  KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
+  KeptPlan write(const std::string& id, const std::string& created, OpenedPlan opened);
   OpenedPlanPtr opened_before(const std::string& id) const;
+  void put_first(const std::string& id, OpenedPlanPtr plan) const;
 
   const StoreFolder& folder_;
   std::mutex changing_;  ///< taken before mutex_

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Store, ARestartFindsEverything) {
   const testing_support::TemporaryFolder folder;
-  ordered_json field, machines, plan;
+  ordered_json field, machines, plan, layers;
   std::string field_id, plan_id;
   {
     const Served served(folder.path());
@@ -21,11 +21,13 @@ TEST(Store, ARestartFindsEverything) {
     field = served.get("/fields/" + field_id).json;
     machines = served.get("/machines").json;
     plan = served.get("/plans/" + plan_id).json;
+    layers = served.get("/plans/" + plan_id + "/layers").json;
   }
   const Served again(folder.path());
   EXPECT_EQ(again.get("/fields/" + field_id).json, field);
   EXPECT_EQ(again.get("/machines").json, machines);
   EXPECT_EQ(again.get("/plans/" + plan_id).json, plan);
+  EXPECT_EQ(again.get("/plans/" + plan_id + "/layers").json, layers);
   EXPECT_EQ(again.get("/plans?field=" + field_id).json.size(), 1U);
   EXPECT_TRUE(again.server().warnings().empty());
 }
