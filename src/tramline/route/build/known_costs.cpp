@@ -119,10 +119,16 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   assert(order::line_of(left) != order::line_of(entered));
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return found->second;
-  between_.clear();
   Way way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
                                lines_[order::line_of(entered)].entered_by(entered).first);
+  const auto ends_are_dead = [&] { return std::pair(is_dead(left), is_dead(entered)); };
+  const auto before = ends_are_dead();
   learn(left, entered, way);
+  // What is learnt of an end may count for all of its ways.
+  if (expects_more_ || ends_are_dead() != before)
+    between_.clear();
+  else
+    between_.erase(key(std::min(left, entered), std::max(left, entered)));
   return ways_.emplace(key(left, entered), std::move(way)).first->second;
 }
 
