@@ -11,6 +11,7 @@
 #include "server/http/page_words.h"
 #include "server/input/json_input.h"
 #include "server/map/detour_layer.h"
+#include "server/map/headland_sides.h"
 #include "server/map/outside_layer.h"
 #include "server/map/plan_layer_list.h"
 #include "server/map/shown_place.h"
@@ -84,6 +85,7 @@ ordered_json in_full(const App& app, const KeptPlan& kept, const OpenedPlan& ope
           {"asked", opened.notes.asked},
           {"earlier_shape", of_earlier_shape(app, kept)},
           {"idle_fuel_share", kIdleFuelShare},
+          {"headland_sides", headland_sides(plan)},
           {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 

@@ -12,10 +12,14 @@ flow('without a choice the whole job is planned, and its figures are those of th
   await openField(page, smallField(server.folder));
   await goTo(page, 'Plan');
   await makePlan(page);
-  const { summary, asked } = await ask(server, `/plans/${openId(page, 'plan')}`);
+  const { summary, asked, headland_sides } = await ask(server, `/plans/${openId(page, 'plan')}`);
   assert.equal(asked.objective, undefined, 'no prices of tracks were asked for');
   assert.ok(summary.route.legs.length > 0, 'it has a route');
   assert.ok(summary.headland_passes > 0, 'turns have their headland');
+  await panel(page).getByText('Headland along each side').click();
+  const rows = await panel(page).locator('details[open] tbody tr').allTextContents();
+  assert.equal(rows.length, Math.min(6, headland_sides.length));
+  headland_sides.slice(0, 6).forEach(({ passes }, i) => assert.ok(rows[i].includes(passes === 0 ? 'none' : `${passes} pass`), rows[i]));
   near(await figure(page, 'Whole cost'), summary.whole_cost.euros, 0.006);
   near(await figure(page, 'Time'), summary.route.time_s / 3600, 0.006);
   near(await figure(page, 'Fuel'), summary.whole_cost.litres, 0.06);

@@ -382,7 +382,17 @@ export interface PlanFull {
   earlier_shape: boolean;
   /** Of the fuel at work, with the work off. */
   idle_fuel_share: number;
+  /** The longest first. */
+  headland_sides: HeadlandSide[];
   bbox: Box;
+}
+/** A side of the field, from corner to corner or to where the number of passes changes. */
+export interface HeadlandSide {
+  length_m: number;
+  /** Null of the whole boundary. */
+  bearing_deg: number | null;
+  passes: number;
+  depth_m: number;
 }
 export interface LayerItem {
   name: string;

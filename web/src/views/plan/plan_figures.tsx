@@ -7,6 +7,7 @@ import { plans } from '../../state/plans';
 import { sameRates } from '../../state/rates';
 import { useStore } from '../../state/store';
 import { CostParts } from './cost_parts';
+import { HeadlandDepths } from './headland_depths';
 import { OneDirection } from './one_direction';
 import { told } from '../../program_words';
 import { t } from '../../words';
@@ -58,6 +59,7 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
     { label: t`Turns`, of: (x) => x.turns, write: count },
     { label: t`Stops`, of: (x) => x.stops, write: count },
   ];
+  const directions = [...new Set(s.direction_deg.map(degrees))];
   const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.money === false ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
   return (
     <section id="numbers" tabIndex={-1} aria-label={t`The plan in numbers`}>
@@ -69,11 +71,12 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
           ...(s.whole_cost ? [{ label: t`Headland`, value: plural(s.headland_passes, 'pass', 'passes'), note: length(s.headland_length_m) }] : []),
         ]} />
       <p class="hint">
-        {t`${hectares(s.area_m2)} to work${s.headland_m2 > 0 ? t`: ${hectares(s.headland_m2)} headland, ${hectares(s.body_m2)} behind it` : ''}${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? t`, tracks towards ${s.direction_deg.map(degrees).join(t` and `)}` : ''}.`}
+        {t`${hectares(s.area_m2)} to work${s.headland_m2 > 0 ? t`: ${hectares(s.headland_m2)} headland, ${hectares(s.body_m2)} behind it` : ''}${directions.length > 0 && directions.length <= 4 ? t`, tracks towards ${directions.join(t` and `)}` : ''}.`}
         {s.outside_m2 >= 0.5 && t` Of the overlap ${squareMetres(s.outside_m2)} lie outside the field.`}
         {typeof s.gap === 'number' && s.gap < TELLING && t` No plan can be cheaper by more than ${percent(s.gap)}.`}
       </p>
       {s.whole_cost && <CostParts cost={s.whole_cost} />}
+      <HeadlandDepths sides={plan.headland_sides} />
       <OneDirection plan={plan} />
       <Remarks plan={plan} />
     </section>
