@@ -19,6 +19,8 @@ export const PROGRAM: Readonly<Record<string, string>> = {
   are: 'sind',
   'the route leaves the land on {0} of its {1} legs, by up to {2} m: no way has room there':
     'die Route verlässt auf {0} ihrer {1} Abschnitte die Fläche, um bis zu {2} m: Dort hat kein Weg Platz',
+  'the land falls into {0} parts for a machine as wide as this: the route works one after the other, and leaves the land from each to the next':
+    'für eine so breite Maschine zerfällt die Fläche in {0} Teile: Die Route bearbeitet einen nach dem anderen und verlässt von jedem zum nächsten die Fläche',
   'connections between tracks are not planned yet: only the order of the pieces is': 'die Wege zwischen den Spuren sind noch nicht geplant, nur die Reihenfolge der Stücke',
   'the search was ended before it was through: a longer one may find a cheaper plan': 'die Suche wurde vor ihrem Ende beendet: Eine längere findet vielleicht einen günstigeren Plan',
   'a part of {0} at {1}, {2} m², is smaller than {3} m² or narrower than the working width and is joined to {4}':

@@ -96,6 +96,14 @@ std::string unworked_land_warning(const Plan& plan) {
   return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
 }
 
+void add_parts(std::size_t parts, std::vector<std::string>& warnings) {
+  if (parts < 2) return;
+  warnings.push_back(
+      fmt::format("the land falls into {} parts for a machine as wide as this: the route works one after the "
+                  "other, and leaves the land from each to the next",
+                  parts));
+}
+
 void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings) {
   std::vector<std::string> all;
   if (limits.directions_left_out > 0)

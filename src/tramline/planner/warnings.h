@@ -1,6 +1,7 @@
 #pragma once
 // Warnings about a finished plan.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ inline constexpr const char* kConnectionsUnplanned =
 /// past the boundary and by how much, land given up between obstacles, dropped and short pieces, and
 /// kConnectionsUnplanned or, with a route, the legs on which it leaves the land.
 std::vector<std::string> warnings_about(const Plan& plan);
+
+/// Adds that the route works so many parts of the land one after the other; nothing where it is one.
+void add_parts(std::size_t parts, std::vector<std::string>& warnings);
 
 /// Adds what the sweep left out to the warnings of warnings_about().
 void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings);

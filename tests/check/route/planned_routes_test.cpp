@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tramline/check/file/compare_warnings.h"
 #include "tramline/check/verify.h"
 #include "tramline/planner/plan_field.h"
 
@@ -137,6 +138,28 @@ TEST(PlannedRoutes, finish_one_part_before_the_next) {
   EXPECT_FALSE(goes_back());
   plan.field = with_lane(4);
   EXPECT_TRUE(goes_back());
+}
+
+TEST(PlannedRoutes, say_into_how_many_parts_the_land_falls) {
+  PlanSettings settings = whole_route(2);
+  settings.boundary = EdgeKind::kHard;
+  const auto found = [](const Plan& plan) {
+    const std::vector<check::Violation> all = check::compare_warnings(plan);
+    return all.empty() ? std::string() : all.front().what;
+  };
+  Plan plan = plan_field(with_lane(4), machine(6, 6), {}, settings);
+  EXPECT_EQ(found(plan), "");
+  std::string& said = plan.warnings.back();
+  EXPECT_NE(said.find("falls into 2 parts"), std::string::npos) << said;
+  said.replace(said.find('2'), 1, "3");
+  EXPECT_NE(found(plan).find("other figures"), std::string::npos) << found(plan);
+  plan.warnings.pop_back();
+  EXPECT_NE(found(plan).find("no warning 'the land falls"), std::string::npos) << found(plan);
+
+  Plan whole = plan_field(with_lane(8), machine(6, 6), {}, settings);
+  EXPECT_EQ(found(whole), "");
+  whole.warnings.push_back("the land falls into 2 parts");
+  EXPECT_NE(found(whole).find("without cause"), std::string::npos) << found(whole);
 }
 
 Machine with_tractor(Machine of) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "tramline/check/measure/overlay_cells.h"
+#include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/rules/rules.h"
 
 namespace tramline::check {
@@ -179,13 +180,18 @@ Expected of_legs_without_room(const Plan& plan) {
           {counted(count), counted(std::ssize(plan.route.legs)), amount(most_m)}};
 }
 
+Expected of_parts(const Plan& plan) {
+  const std::size_t parts = plan.route.planned() ? parts_with_work(plan, LandParts(plan)) : 1;
+  return {"the land falls into", parts > 1, false, {counted(static_cast<std::ptrdiff_t>(parts))}};
+}
+
 /// Of lines of others only the warning about land is ours to repeat.
 std::vector<Expected> all_expected(const Plan& plan) {
   if (is_of_lines(plan)) return {of_unworked_land(plan)};
   return {
-      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),    of_left_out_land(plan),
-      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan),   of_short_pieces(plan),
-      of_cut_short(plan),           of_connections(plan),  of_legs_without_room(plan)};
+      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),     of_left_out_land(plan),
+      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan),    of_short_pieces(plan),
+      of_cut_short(plan),           of_connections(plan),  of_legs_without_room(plan), of_parts(plan)};
 }
 
 }  // namespace

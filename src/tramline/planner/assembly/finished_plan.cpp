@@ -139,6 +139,7 @@ Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const
   side_by_side(context, draw, prove);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
   plan.warnings = warnings_about(plan);
+  add_parts(draft.parts, plan.warnings);
   add_limits(found.limits, plan.warnings);
   return plan;
 }

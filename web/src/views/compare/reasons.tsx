@@ -4,7 +4,7 @@ import { change, degrees, hours, money, plural, squareMetres, width } from '../.
 import { costOf, form, pricesOf } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
-import { CostParts } from '../plan/cost_parts';
+import { CostParts } from '../plan/figures/cost_parts';
 import { t } from '../../words';
 
 const REASONS: Record<string, string> = {

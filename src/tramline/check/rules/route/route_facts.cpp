@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
+#include <set>
 
 namespace tramline::check {
 
@@ -32,6 +34,29 @@ WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, PassSense sense)
   const HeadlandPass& of = plan.headland.passes[pass];
   return {sense == PassSense::kAgainst ? reversed(of.path) : of.path,
           is_closed(of) ? PathEnds::kMeet : PathEnds::kApart, plan.machine};
+}
+
+std::size_t part_of(const RouteLeg& leg, const Plan& plan, const LandParts& parts) {
+  assert(leg.piece || leg.pass);
+  if (parts.count() < 2 || plan.headland.construction != HeadlandConstruction::kDrivable) return 0;
+  const auto at_middle = [&](const WorkedCourse& course) {
+    return parts.part_of(course.axle(0.5 * course.length_m()).at);
+  };
+  if (leg.pass) return at_middle(course_of_pass(plan, *leg.pass, PassSense::kAlong));
+  std::size_t piece = *leg.piece;
+  while (piece > 0 && plan.pieces[piece].after_crossing) --piece;
+  return at_middle(course_of_piece(plan, piece));
+}
+
+std::size_t parts_with_work(const Plan& plan, const LandParts& parts) {
+  std::set<std::size_t> out;
+  for (const RouteLeg& leg : plan.route.legs) {
+    const bool exists = leg.pass    ? *leg.pass < plan.headland.passes.size()
+                        : leg.piece ? *leg.piece < plan.pieces.size()
+                                    : false;
+    if (exists) out.insert(part_of(leg, plan, parts));
+  }
+  return out.size();
 }
 
 double turned_deg(Point ahead, Point other) {

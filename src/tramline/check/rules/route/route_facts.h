@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/check/turning/axle_line.h"
+#include "tramline/check/turning/land_parts.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
@@ -40,6 +41,13 @@ WorkedCourse course_of_piece(const Plan& plan, std::size_t piece);
 /// From the beginning of the pass to its end, or the other way.
 enum class PassSense { kAlong, kAgainst };
 WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, PassSense sense);
+
+/// The part of the land on which the line or pass of a leg lies. Passes with sharp corners, of which no bound
+/// knows, are worked in one phase: with these all is one part. Precondition: the leg leads along a piece or a
+/// pass.
+std::size_t part_of(const RouteLeg& leg, const Plan& plan, const LandParts& parts);
+/// On how many parts there is work; legs along pieces or passes that do not exist do not count.
+std::size_t parts_with_work(const Plan& plan, const LandParts& parts);
 
 /// How far the heading is from a direction, degrees.
 double turned_deg(Point ahead, Point other);

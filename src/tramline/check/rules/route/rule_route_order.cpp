@@ -203,7 +203,7 @@ class OrderCheck {
     for (std::size_t i = 0; i < legs_.size(); ++i) {
       const RouteLeg& leg = legs_[i];
       if (!leg.piece && !leg.pass) continue;
-      const std::size_t here = part_of(leg);
+      const std::size_t here = part_of(leg, plan_, parts_);
       if (part && here != *part) {
         left.insert(*part);
         too_late = false;
@@ -215,21 +215,6 @@ class OrderCheck {
       if (too_late && (first ? leg.pass.has_value() : leg.piece.has_value()))
         add(i, first ? "follows a pass after the tracks" : "works a track after the passes");
     }
-  }
-
-  /// Of its line or pass. Passes with sharp corners, of which no bound knows, are worked in one phase.
-  std::size_t part_of(const RouteLeg& leg) const {
-    if (parts_.count() < 2 || plan_.headland.construction != HeadlandConstruction::kDrivable) return 0;
-    if (leg.pass) return part_of_pass(*leg.pass);
-    std::size_t piece = *leg.piece;
-    while (piece > 0 && plan_.pieces[piece].after_crossing) --piece;
-    const WorkedCourse course = course_of_piece(plan_, piece);
-    return parts_.part_of(course.axle(0.5 * course.length_m()).at);
-  }
-
-  std::size_t part_of_pass(std::size_t pass) const {
-    const WorkedCourse course = course_of_pass(plan_, pass, PassSense::kAlong);
-    return parts_.part_of(course.axle(0.5 * course.length_m()).at);
   }
 
   static bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b) {
@@ -252,7 +237,7 @@ class OrderCheck {
         const std::vector<std::size_t> too_early = legs_of_pass(plan_, one),
                                        late = legs_of_pass(plan_, other);
         if (too_early.empty() || late.empty() || too_early.front() > late.front()) continue;
-        if (part_of(legs_[too_early.front()]) == part_of(legs_[late.front()]))
+        if (part_of(legs_[too_early.front()], plan_, parts_) == part_of(legs_[late.front()], plan_, parts_))
           add(too_early.front(),
               fmt::format("comes before {}, though passes go {}", pass_name(other), name(sequence)));
       }

@@ -1,8 +1,8 @@
 // How deep the headland is along each side of the field: the room that turns there have.
-import type { HeadlandSide } from '../../api/types';
-import { count, degrees, length, plural } from '../../format';
-import { Expander } from '../../parts/expander';
-import { t } from '../../words';
+import type { HeadlandSide } from '../../../api/types';
+import { count, degrees, length, plural } from '../../../format';
+import { Expander } from '../../../parts/expander';
+import { t } from '../../../words';
 
 const LISTED = 6;
 

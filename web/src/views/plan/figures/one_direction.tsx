@@ -1,13 +1,13 @@
 // Beside a divided plan: what one direction over the whole field would cost, and a way to take it.
-import { attempt } from '../../actions/notices';
-import { planAlong } from '../../actions/planning';
-import type { PlanFull, Place } from '../../api/types';
-import { degrees, hours, money } from '../../format';
-import { moved } from '../../metres';
-import { Button } from '../../parts/button';
-import { costOf, form } from '../../state/plan_form';
-import { useStore } from '../../state/store';
-import { t } from '../../words';
+import { attempt } from '../../../actions/notices';
+import { planAlong } from '../../../actions/planning';
+import type { PlanFull, Place } from '../../../api/types';
+import { degrees, hours, money } from '../../../format';
+import { moved } from '../../../metres';
+import { Button } from '../../../parts/button';
+import { costOf, form } from '../../../state/plan_form';
+import { useStore } from '../../../state/store';
+import { t } from '../../../words';
 
 interface Undivided {
   direction_deg: number;

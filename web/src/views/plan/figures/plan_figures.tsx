@@ -1,16 +1,16 @@
-import type { PlanFull, PlanSummary, WholeCost } from '../../api/types';
-import { change, count, degrees, hectares, hours, length, litres, money, percent, plural, sentence, squareMetres } from '../../format';
-import { Expander } from '../../parts/expander';
-import { Figures, type Figure } from '../../parts/figures';
-import { costOf, form } from '../../state/plan_form';
-import { plans } from '../../state/plans';
-import { sameRates } from '../../state/rates';
-import { useStore } from '../../state/store';
+import type { PlanFull, PlanSummary, WholeCost } from '../../../api/types';
+import { change, count, degrees, hectares, hours, length, litres, money, percent, plural, sentence, squareMetres } from '../../../format';
+import { Expander } from '../../../parts/expander';
+import { Figures, type Figure } from '../../../parts/figures';
+import { costOf, form } from '../../../state/plan_form';
+import { plans } from '../../../state/plans';
+import { sameRates } from '../../../state/rates';
+import { useStore } from '../../../state/store';
 import { CostParts } from './cost_parts';
 import { HeadlandDepths } from './headland_depths';
 import { OneDirection } from './one_direction';
-import { told } from '../../program_words';
-import { t } from '../../words';
+import { told } from '../../../program_words';
+import { t } from '../../../words';
 
 /** A wider gap between plan and bound says nothing. */
 const TELLING = 0.3;

@@ -1,7 +1,7 @@
 // Of a plan for gaps: whether it pays to work them.
-import type { Explain } from '../../api/types';
-import { money, squareMetres } from '../../format';
-import { t } from '../../words';
+import type { Explain } from '../../../api/types';
+import { money, squareMetres } from '../../../format';
+import { t } from '../../../words';
 
 export function RepairCosts({ repair: r }: { repair: NonNullable<Explain['repair']> }) {
   const saved = r.cost_if_left - r.cost_of_passes - r.cost_after;

@@ -1,9 +1,9 @@
 // What the whole cost is made of, and by which rates it was counted.
-import type { WholeCost } from '../../api/types';
-import { money, percent } from '../../format';
-import { Expander } from '../../parts/expander';
-import { OPERATIONS } from '../../state/rates';
-import { t } from '../../words';
+import type { WholeCost } from '../../../api/types';
+import { money, percent } from '../../../format';
+import { Expander } from '../../../parts/expander';
+import { OPERATIONS } from '../../../state/rates';
+import { t } from '../../../words';
 
 const PARTS: { label: string; of: (cost: WholeCost) => number }[] = [
   { label: t`Machine and driver`, of: (c) => c.euros_hours },

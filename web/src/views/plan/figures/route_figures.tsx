@@ -1,13 +1,13 @@
 // The route in numbers, kind by kind, in the colours of the map.
-import type { LegKind, PlanFull, Route } from '../../api/types';
-import { clock, count, length, percent, plural } from '../../format';
-import { DAY, NIGHT, type Colours } from '../../map/palette';
-import { MarkOf, type Mark } from '../../parts/mark';
-import { sumsByKind } from '../../state/route_sums';
-import { isNight, session } from '../../state/session';
-import { useStore } from '../../state/store';
-import { RoutePlayer } from './route_player';
-import { t } from '../../words';
+import type { LegKind, PlanFull, Route } from '../../../api/types';
+import { clock, count, length, percent, plural } from '../../../format';
+import { DAY, NIGHT, type Colours } from '../../../map/palette';
+import { MarkOf, type Mark } from '../../../parts/mark';
+import { sumsByKind } from '../../../state/route_sums';
+import { isNight, session } from '../../../state/session';
+import { useStore } from '../../../state/store';
+import { RoutePlayer } from '../route_player';
+import { t } from '../../../words';
 
 const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; form: Mark['form'] }> = {
   work: { title: t`Tracks`, colour: 'Track', form: 'line' },
