@@ -23,28 +23,36 @@ double least_track_m(const Plan& plan) {
   return std::max(min_length_m(plan.machine), 2 * plan.machine.width_m);
 }
 
-/// The parts without room for a swath, allowing for chords and the grid, that are not strips of a third of
-/// the width and twice the least length of a track either.
-Region without_room(const Region& parts, const Plan& plan) {
-  constexpr double kShare = 0.97;
-  const double half_m = 0.5 * kShare * plan.machine.width_m, long_m = kShare * least_track_m(plan);
-  Region out;
-  for (const Polygon& part : parts) {
-    const double extent = extent_m(part);
-    const bool wide = extent >= long_m && !buffered({part}, -half_m).empty();
-    if (!wide && (extent < 2 * long_m || buffered({part}, -half_m / 3).empty())) out.push_back(part);
-  }
+/// Whether a part is so wide somewhere, so long, and large enough for both.
+bool holds_strip(const Polygon& part, double width_m, double length_m) {
+  return area(part) >= width_m * length_m && extent_m(part) >= length_m &&
+         !buffered({part}, -0.5 * width_m).empty();
+}
+
+/// Chords, and the grid of polygon booleans, make parts a little smaller or larger: no room for swaths of
+/// this share of the width and the least length is none for certain, and room for swaths of that one is room
+/// for certain.
+constexpr double kNone = 0.97, kCertain = 1.03;
+
+/// The parts without room for a swath of such a share, that are not strips of a third of the width and twice
+/// the least length of a track either.
+Region without_room(const Region& parts, const Plan& plan, double share) {
+  const double wide_m = share * plan.machine.width_m, long_m = share * least_track_m(plan);
+  Region out = parts;
+  std::erase_if(out, [&](const Polygon& part) {
+    return holds_strip(part, wide_m, long_m) || holds_strip(part, wide_m / 3, 2 * long_m);
+  });
   return out;
 }
 
-/// With headlands along some edges: the parts of the body far from boundaries that are too small for a track
-/// by themselves. They are left to tracks together with the headland ground beside them.
+/// With headlands along some edges: the parts of the body far from boundaries that may be too small for a
+/// track by themselves. They are left to tracks together with the headland ground beside them.
 Region small_parts_of_body(const Case& c) {
   if (c.plan.headland.edge_passes.empty()) return {};
   // Parts that hang together by less than twice this, m, are apart: chords of arcs may join them.
   constexpr double kNeck_m = 0.1;
   const Region far = difference(c.plan.body, c.near_boundaries);
-  return without_room(buffered(buffered(far, -kNeck_m), 1.1 * kNeck_m), c.plan);
+  return without_room(buffered(buffered(far, -kNeck_m), 1.1 * kNeck_m), c.plan, kCertain);
 }
 
 /// The land that remains after it is made narrower by more than a swath on all sides, where it is long enough
@@ -81,8 +89,9 @@ void check_ceded_to_tracks(const Case& c, Violations& out) {
               "headland passes work {:.3f} m² that are left to tracks", out);
   report_land(Rule::kBody, intersection(left, c.along_boundaries), drawn_m2,
               "{:.3f} m² left to tracks lie next to a boundary", out);
-  report_land(Rule::kBody, intersection(without_room(unite(left, small_parts_of_body(c)), c.plan), left),
-              drawn_m2, "{:.3f} m² are left to tracks where none has room", out);
+  report_land(Rule::kBody,
+              intersection(without_room(unite(left, small_parts_of_body(c)), c.plan, kNone), left), drawn_m2,
+              "{:.3f} m² are left to tracks where none has room", out);
   const Region idle = difference(difference(c.plan.headland.ground, worked), c.along_boundaries);
   report_land(Rule::kBody, with_ample_room(idle, c.plan), 0,
               "tracks have room in {:.3f} m² of the headland that no pass works", out);
