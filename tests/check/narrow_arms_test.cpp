@@ -35,7 +35,8 @@ int expect_holds(const Field& field) {
   settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
   settings.turns = TurnPlanning::kTurns;
   try {
-    const check::Verdict verdict = check::verify(plan_field(field, machine_12(), {0.007, 0.07, 1, 5, 5}, settings, 1));
+    const check::Verdict verdict =
+        check::verify(plan_field(field, machine_12(), {0.007, 0.07, 1, 5, 5}, settings, 1));
     for (const check::Violation& v : verdict.violations) ADD_FAILURE() << name(v.rule) << ": " << v.what;
     return 1;
   } catch (const Error& error) {
