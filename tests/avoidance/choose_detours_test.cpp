@@ -8,14 +8,21 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "avoidance/pole_field.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/tracks/end_rule.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 namespace choose_detours_test {
 
 using namespace testing_poles;
+
+Ring box(double min_x, double min_y, double max_x, double max_y) {
+  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
+}
 
 TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
   for (const double width : {1.5, 3.0, 6.0, 12.0})
@@ -54,6 +61,42 @@ TEST(ChooseDetours, MirroredPolesCostTheSame) {
         EXPECT_NEAR(there[i].right.cost, back[i].left.cost, 1e-6);
       }
     }
+}
+
+// 16 m of the last strip are a subfield of their own, of which a cut leaves two ends too short to drive. A
+// detour works 45 m² more for a turn; the subfield it adds to the plan has its price, too.
+TEST(ChooseDetours, TheFirstPieceOfASubfieldPaysForIt) {
+  const auto planned = [](double subfield_price) {
+    Machine with = machine(3, 1);
+    with.min_length_m = 8;
+    const Objective prices{0.02, 0.1, 1, 5, subfield_price};
+    const PoleField whole(box(0, 0, 24, 16), {box(22.2, 7.7, 22.8, 8.3)}, with, prices);
+    const AvoidanceTask one = whole.task();
+    const TurnedGround turned{one.ground.hard, one.ground.passable, {}, one.ground.beyond};
+    const std::vector<Polygon> parts{{box(0, 0, 21, 16), {}}, {box(21, 0, 24, 16), {}}};
+    std::vector<Subfield> subfields;
+    std::vector<TrackFamily> families;
+    for (const Polygon& part : parts) {
+      subfields.push_back({part, one.subfields.front().direction});
+      families.push_back(straight_tracks(one.families.front().grid, part, turned,
+                                         end_criterion(EndRule::kCheapest, prices, 3)));
+    }
+    const AvoidanceTask task{one.field,    one.ground, one.machine, one.objective,
+                             one.settings, subfields,  families,    one.body_m2};
+    const Avoided found = choose_detours(task);
+    const std::vector<PlacedEncounter> met = encounters_in(task, found);
+    EXPECT_EQ(met.size(), 1u);
+    return std::pair(found.tally.subfields, met.front());
+  };
+  const auto [free_subfields, free] = planned(0);
+  EXPECT_EQ(free_subfields, 2);
+  EXPECT_NE(free.chosen, Passing::kCut);
+  const auto [priced_subfields, priced] = planned(5);
+  EXPECT_EQ(priced_subfields, 1);
+  EXPECT_EQ(priced.chosen, Passing::kCut);
+  ASSERT_TRUE(priced.left.possible && free.left.possible);
+  EXPECT_GT(priced.left.cost, 0);
+  EXPECT_NEAR(priced.left.cost - free.left.cost, 5, 1e-9);
 }
 
 // If fewer stops came with a lower price, changing the plans round would make one of them cheaper.

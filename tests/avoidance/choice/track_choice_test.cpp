@@ -75,10 +75,11 @@ struct RandomTrack {
             blocked.options.back().profile_m2 += kSwath * kept.length();
         }
     blocked.only_one_driven = coin(random) == 0;
+    blocked.only_one_of_subfield = !blocked.only_one_driven && coin(random) == 0;
     if (one_in_four(random) == 0)
       blocked.correction_m2[0] = -2;  // a neighbour's detour covers 2 m² of the first stretch
     least_m = coin(random) == 0 ? 0 : 12;
-    prices = {0.02, 0.1, one_in_four(random) == 0 ? 0 : 1.0, one_in_four(random) == 0 ? 0 : 5.0, 0};
+    prices = {0.02, 0.1, one_in_four(random) == 0 ? 0 : 1.0, one_in_four(random) == 0 ? 0 : 5.0, 3};
   }
 
   Intervals gaps;
@@ -114,7 +115,9 @@ double cost_by_hand(const RandomTrack& random, const std::vector<const TrackOpti
     }
     i = last + 1;
   }
-  return sum - (driven > 0 && random.blocked.only_one_driven ? random.prices.turn : 0);
+  if (driven > 0 && random.blocked.only_one_driven) sum -= random.prices.turn;
+  if (driven > 0 && random.blocked.only_one_of_subfield) sum += random.prices.subfield;
+  return sum;
 }
 
 bool fits(const std::vector<const TrackOption*>& chosen, std::optional<Forced> forced) {

@@ -48,6 +48,7 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task, std::vector<Decision
       width_m_(task.machine.width_m),
       least_m_(min_length_m(task.machine)),
       ground_(task.families),
+      driven_(task.families.size(), 0),
       tracks_(std::move(found)) {
   prepare_families();
   for (std::size_t i = 0; i < task.families.size(); ++i)
@@ -76,9 +77,9 @@ void DetourDecisions::work(std::size_t family, std::size_t track, const std::vec
   const bool was_driven = is_driven(ground_.at(family, track));
   ground_.set(family, track, work_of(task_.families[family].tracks[track], detours, least_m_));
   const int change = (is_driven(ground_.at(family, track)) ? 1 : 0) - (was_driven ? 1 : 0);
-  driven_ += change;
+  driven_[family] += change;
   // When the number changes between none, one and two, another track may now be the only one.
-  if (change == 0 || std::max(driven_, driven_ - change) > 2) return;
+  if (change == 0 || std::max(driven_[family], driven_[family] - change) > 2) return;
   for (Decision& decision : tracks_) decision.track.stale = true;
 }
 

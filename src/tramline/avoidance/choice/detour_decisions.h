@@ -88,7 +88,7 @@ class DetourDecisions {
       obstacles_;                        ///< by family of straight tracks and obstacle: its extent along
   std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each family
   WorkedGround ground_;
-  int driven_ = 0;  ///< tracks with a piece
+  std::vector<int> driven_;  ///< tracks with a piece, by family
   std::vector<Decision> tracks_;
 };
 

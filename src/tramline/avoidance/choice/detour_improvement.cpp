@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -62,7 +63,10 @@ bool improve_one_by_one(const std::vector<Decision*>& order, const SavingOf& sav
 
 void DetourDecisions::value(Decision& decision) {
   const TrackWork& own = ground_.at(decision.track.family, decision.track.place);
-  decision.track.only_one_driven = driven_ == (is_driven(own) ? 1 : 0);
+  const int here = driven_[decision.track.family] - (is_driven(own) ? 1 : 0);
+  const bool elsewhere = std::accumulate(driven_.begin(), driven_.end(), 0) > driven_[decision.track.family];
+  decision.track.only_one_driven = here == 0 && !elsewhere;
+  decision.track.only_one_of_subfield = here == 0 && elsewhere;
   value_options(decision.track, family_of(decision), body_[decision.track.family], ground_, least_m_);
 }
 

@@ -42,8 +42,13 @@ class PieceCost {
     return out;
   }
 
-  /// Every piece counts a turn, and a plan with any piece has one turn less.
-  double counted_too_often() const { return blocked_.only_one_driven ? objective_.turn : 0; }
+  /// What the first piece adds to the cost of the plan besides its own. Every piece counts a turn, and a plan
+  /// with any piece has one turn less; a subfield costs something from its first piece on, but for the first
+  /// of all.
+  double of_first() const {
+    if (blocked_.only_one_driven) return -objective_.turn;
+    return blocked_.only_one_of_subfield ? objective_.subfield : 0;
+  }
 
   /// Cost that an option adds to a piece that is driven in any case.
   double of_option(const TrackOption& option) const {
@@ -160,7 +165,7 @@ double track_cost(const BlockedTrack& blocked, const Track& track, double width_
     all.sum += one.sum;
     all.driven = all.driven || one.driven;
   }
-  return all.driven ? all.sum - cost.counted_too_often() : all.sum;
+  return all.driven ? all.sum + cost.of_first() : all.sum;
 }
 
 std::optional<TrackChoice> cheapest_choice(const BlockedTrack& blocked, const Track& track, double width_m,
@@ -183,7 +188,7 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& blocked, const Tr
     }
   }
   auto& [not_driven, driven] = best[count];
-  driven.cost -= cost.counted_too_often();
+  driven.cost += cost.of_first();
   TrackChoice& least = not_driven.cost < driven.cost ? not_driven : driven;
   if (least.cost == kImpossible) return std::nullopt;
   return std::move(least);

@@ -49,8 +49,9 @@ struct BlockedTrack {
   /// By stretch: the area that a short stretch, which may not be worth driving, covers alone, less that of
   /// its profile. 0 for long ones.
   std::vector<double> correction_m2;
-  bool stale = true;             ///< whether any of the above is out of date
-  bool only_one_driven = false;  ///< no other track has a piece: the first one here adds no turn to the plan
+  bool stale = true;                  ///< whether any of the above is out of date
+  bool only_one_driven = false;       ///< no other track has a piece: the first one adds no turn to the plan
+  bool only_one_of_subfield = false;  ///< others have, but none of its family: the first adds a subfield
 };
 
 /// The gaps of a track made by hard land.
