@@ -1,18 +1,17 @@
-// A whole route over given tracks and headland passes, and its proof: the ways between them found on the land
-// of the field.
+// A whole route over given tracks and headland passes: their order, and the ways between them on the land of
+// the field.
 
 #include <benchmark/benchmark.h>
 
 #include "tramline/planner/plan_field.h"
 #include "tramline/route/build/planned_route.h"
-#include "tramline/route/build/route_proof.h"
 #include "tramline/route/order/best_tour.h"
 #include "tramline/route/turning/turning_land.h"
 
 namespace tramline::bench {
 namespace {
 
-constexpr double kWidth_m = 6;
+constexpr double kWidth_m = 6, kRadius_m = 6;
 constexpr int kPasses = 3;
 
 /// A field for about so many tracks, with an oblique edge and three headland passes.
@@ -27,7 +26,7 @@ Field field_of(std::size_t tracks) {
 Plan tracks_alone(const Field& field) {
   Machine machine;
   machine.width_m = kWidth_m;
-  machine.radius_m = kWidth_m;
+  machine.radius_m = kRadius_m;
   PlanSettings settings;
   settings.boundary = EdgeKind::kHard;
   settings.headlands = kPasses;
