@@ -20,10 +20,6 @@ namespace choose_detours_test {
 
 using namespace testing_poles;
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
-
 TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
   for (const double width : {1.5, 3.0, 6.0, 12.0})
     for (const double radius : {0.0, 6.0})
@@ -70,10 +66,10 @@ TEST(ChooseDetours, TheFirstPieceOfASubfieldPaysForIt) {
     Machine with = machine(3, 1);
     with.min_length_m = 8;
     const Objective prices{0.02, 0.1, 1, 5, subfield_price};
-    const PoleField whole(box(0, 0, 24, 16), {box(22.2, 7.7, 22.8, 8.3)}, with, prices);
+    const PoleField whole(rectangle(0, 0, 24, 16), {rectangle(22.2, 7.7, 22.8, 8.3)}, with, prices);
     const AvoidanceTask one = whole.task();
     const TurnedGround turned{one.ground.hard, one.ground.passable, {}, one.ground.beyond};
-    const std::vector<Polygon> parts{{box(0, 0, 21, 16), {}}, {box(21, 0, 24, 16), {}}};
+    const std::vector<Polygon> parts{{rectangle(0, 0, 21, 16), {}}, {rectangle(21, 0, 24, 16), {}}};
     std::vector<Subfield> subfields;
     std::vector<TrackFamily> families;
     for (const Polygon& part : parts) {
