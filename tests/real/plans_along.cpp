@@ -115,8 +115,9 @@ std::string figures_in_full(const Plan& plan) {
       price_of(plan), direction ? fmt::format("at {:.1f}°", direction->degrees()) : "without tracks",
       cost.time_s() / kHour_s, cost.working_s / kHour_s, cost.headland_s / kHour_s, cost.turning_s / kHour_s,
       cost.transit_s / kHour_s, plan.tally.overlap_m2, plan.tally.uncovered_m2, plan.pieces.size(),
-      plan.tally.turns, plan.tally.stops, sums_of(plan.route).without_room, plan.settings.headlands,
-      plan.settings.headland_edges.empty() ? "" : " where tracks end", plan.subfields.size());
+      plan.tally.turns, plan.tally.stops, legs_without_room(plan.route, plan.machine),
+      plan.settings.headlands, plan.settings.headland_edges.empty() ? "" : " where tracks end",
+      plan.subfields.size());
 }
 
 }  // namespace tramline::testing

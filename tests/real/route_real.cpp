@@ -95,7 +95,7 @@ void look_at(const Plan& plan, Fared& out) {
   out.legs = plan.route.legs.size();
   for (const RouteLeg& leg : plan.route.legs) {
     if (leg.kind == LegKind::kBackOut) ++out.back_outs;
-    if (leg.missing_m > 0) ++out.without_room;
+    if (lacks_room(leg, plan.machine)) ++out.without_room;
     if (leg.missing_m == 0 && !leg.work && !leg.path.empty() &&
         off_the_land_m(plan.field, plan.machine.width_m, leg.path) > kOff_m) {
       ++out.outside;

@@ -126,7 +126,7 @@ TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
           quickest_s = std::min(quickest_s, way_s(place, 0, other, 0, machine));
     const double steps_s = (from.step_m + to.step_m) / machine.turning.turning_speed_mps;
     expect_bounds(least_between_rings(from, to, least), quickest_s, 2 * steps_s);
-    EXPECT_NEAR(least_between_rings(to, from, least), least_between_rings(from, to, least), steps_s);
+    EXPECT_DOUBLE_EQ(least_between_rings(to, from, least), least_between_rings(from, to, least));
     expect_bounds(least_distance_m(from, to), apart, from.step_m + 1.5 * to.step_m);
   });
 }

@@ -48,15 +48,18 @@ std::string first_row(const Plan& plan, const RouteSums& sums) {
 }
 
 /// Which legs leave the land, and where they begin, in local metres.
-std::string room_row(const Route& route, const RouteSums& sums) {
-  if (sums.without_room == 0) return "";
+std::string room_row(const Plan& plan) {
+  const Route& route = plan.route;
+  const std::size_t without_room = legs_without_room(route, plan.machine);
+  if (without_room == 0) return "";
   constexpr std::size_t kShown = 3;
   double most_m = 0;
   std::vector<std::string> where;
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
     const RouteLeg& leg = route.legs[i];
+    if (!lacks_room(leg, plan.machine)) continue;
     most_m = std::max(most_m, leg.missing_m);
-    if (leg.missing_m <= 0 || where.size() == kShown) continue;
+    if (where.size() == kShown) continue;
     std::string text = fmt::format("leg {}", i + 1);
     if (!leg.path.empty()) {
       const Point at = leg.path.front().start.at;
@@ -64,11 +67,10 @@ std::string room_row(const Route& route, const RouteSums& sums) {
     }
     where.push_back(std::move(text));
   }
-  const std::string more =
-      sums.without_room > kShown ? fmt::format(" and {} more", sums.without_room - kShown) : "";
-  return fmt::format("no room      for {} {}, which {} the land by up to {:.1f} m: {}{}\n", sums.without_room,
-                     sums.without_room == 1 ? "leg" : "legs", sums.without_room == 1 ? "leaves" : "leave",
-                     most_m, fmt::join(where, ", "), more);
+  const std::string more = without_room > kShown ? fmt::format(" and {} more", without_room - kShown) : "";
+  return fmt::format("no room      for {} {}, which {} the land by up to {:.1f} m: {}{}\n", without_room,
+                     without_room == 1 ? "leg" : "legs", without_room == 1 ? "leaves" : "leave", most_m,
+                     fmt::join(where, ", "), more);
 }
 
 }  // namespace
@@ -159,7 +161,7 @@ ordered_json route_json(const Plan& plan) {
           {"time_s", sums.time_s},
           {"bound_s", route.proof.bound_s},
           {"gap", gap(sums.time_s, route.proof.bound_s)},
-          {"without_room", sums.without_room},
+          {"without_room", legs_without_room(route, plan.machine)},
           {"over_worked_m", route.over_worked_m},
           {"over_unworked_m", route.over_unworked_m},
           {"over_tracks_m", route.over_tracks_m}};
@@ -168,7 +170,7 @@ ordered_json route_json(const Plan& plan) {
 std::string route_rows(const Plan& plan) {
   if (!plan.route.planned()) return "";
   const RouteSums sums = sums_of(plan.route);
-  return first_row(plan, sums) + room_row(plan.route, sums);
+  return first_row(plan, sums) + room_row(plan);
 }
 
 std::string whole_cost_row(const Plan& plan) {

@@ -83,6 +83,11 @@ bool works_standing_crop(Operation operation);
 /// Machines that turn on the spot are planned as if this were the radius of their turns, m.
 inline constexpr double kLeastRadius_m = 0.01;
 
+/// How far corners of the vehicle and of a mounted implement swing out of the band of the working width on
+/// the smallest circle, m: by so much at the least the machine leaves the land where it turns away from an
+/// edge beside which it works. 0 for a bar at the axle. Precondition: width_m > 0. O(1).
+double corner_swing_m(const Machine& machine);
+
 inline double min_length_m(const Machine& machine) {
   return machine.min_length_m >= 0 ? machine.min_length_m : 2 * machine.width_m;
 }

@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/geometry/point.h"
+#include "tramline/model/machine.h"
 
 namespace tramline {
 
@@ -67,13 +68,17 @@ struct RouteSums {
   double transit_m = 0;
   double reverse_m = 0;  ///< the part of all that is driven in reverse
   double time_s = 0;
-  std::size_t without_room = 0;  ///< legs that leave the land
 
   double not_working_m() const { return turning_m + transit_m; }
 };
 RouteSums sums_of(const Route& route);
 
 double length(const RouteLeg& leg);
+
+/// Whether nobody can drive the leg as it is planned: it leaves the land, and not only because corners of the
+/// machine swing out where a headland pass turns (corner_swing_m()), which no way round can change.
+bool lacks_room(const RouteLeg& leg, const Machine& machine);
+std::size_t legs_without_room(const Route& route, const Machine& machine);
 
 /// Which piece follows. kBest: the order that takes the least time. kBySpacing: neighbouring tracks, or those
 /// that PlanSettings::skip asks for.

@@ -1,6 +1,9 @@
 #include "tramline/model/machine.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
 
 namespace tramline {
 namespace {
@@ -70,6 +73,19 @@ Rates rates_of(const Machine& machine) {
   fill_in(out.margin_per_ha, usual.margin_per_ha);
   fill_in(out.price_per_stop, kUsualStopPrice);
   return out;
+}
+
+double corner_swing_m(const Machine& machine) {
+  assert(machine.width_m > 0);
+  const Turning& turning = machine.turning;
+  const double radius_m = machine.radius_m, half_m = 0.5 * machine.width_m;
+  double farthest_m = std::hypot(radius_m + 0.5 * turning.vehicle_width_m, turning.front_overhang_m);
+  if (turning.implement == Coupling::kMounted) {
+    const double from_m = turning.implement_offset_m, to_m = from_m + turning.rear_overhang_m;
+    farthest_m =
+        std::max(farthest_m, std::hypot(radius_m + half_m, std::max(std::abs(from_m), std::abs(to_m))));
+  }
+  return std::max(0.0, farthest_m - (radius_m + half_m));
 }
 
 const char* name(Coupling coupling) { return coupling == Coupling::kTowed ? "towed" : "mounted"; }

@@ -75,6 +75,17 @@ std::optional<PassSequence> pass_sequence_named(std::string_view word) { return 
 
 double length(const RouteLeg& leg) { return length(leg.path); }
 
+bool lacks_room(const RouteLeg& leg, const Machine& machine) {
+  constexpr double kFound_m = 0.01;  // how far the room that is missing may be off
+  const double allowed_m = leg.kind == LegKind::kHeadland ? corner_swing_m(machine) : 0;
+  return leg.missing_m > (allowed_m > 0 ? allowed_m + kFound_m : 0);
+}
+
+std::size_t legs_without_room(const Route& route, const Machine& machine) {
+  return static_cast<std::size_t>(std::count_if(
+      route.legs.begin(), route.legs.end(), [&](const RouteLeg& leg) { return lacks_room(leg, machine); }));
+}
+
 RouteSums sums_of(const Route& route) {
   RouteSums out;
   for (const RouteLeg& leg : route.legs) {
@@ -83,7 +94,6 @@ RouteSums sums_of(const Route& route) {
     share_of(out, leg.kind) += length_m;
     if (leg.gear == Gear::kReverse) out.reverse_m += length_m;
     out.time_s += leg.time_s;
-    if (leg.missing_m > 0) ++out.without_room;
   }
   return out;
 }

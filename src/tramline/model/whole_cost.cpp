@@ -38,7 +38,7 @@ WholeCost whole_cost(const Plan& plan) {
   for (const RouteLeg& leg : plan.route.legs) {
     add_time(leg, out);
     if (leg.kind == LegKind::kBackOut) out.stops += rates.price_per_stop;
-    if (leg.missing_m > 0) out.without_room += kPriceWithoutRoom;
+    if (lacks_room(leg, plan.machine)) out.without_room += kPriceWithoutRoom;
     fuel_s += leg.work ? leg.time_s : kIdleFuelShare * leg.time_s;
   }
   out.hours = rates.price_per_hour * out.time_s() / kSecondsPerHour;

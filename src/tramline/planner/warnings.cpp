@@ -78,10 +78,19 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
 }
 
 void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) {
-  const std::size_t without_room = sums_of(plan.route).without_room;
+  double most_m = 0, swung_m = 0;
+  std::size_t without_room = 0;
+  for (const RouteLeg& leg : plan.route.legs) {
+    double& farthest_m = lacks_room(leg, plan.machine) ? most_m : swung_m;
+    farthest_m = std::max(farthest_m, leg.missing_m);
+    if (lacks_room(leg, plan.machine)) ++without_room;
+  }
+  if (swung_m > 0)
+    out.push_back(
+        fmt::format("corners of the machine swing out over the edge of the land by up to {:.2f} m where "
+                    "headland passes turn, whichever way they are driven",
+                    swung_m));
   if (without_room == 0) return;
-  double most_m = 0;
-  for (const RouteLeg& leg : plan.route.legs) most_m = std::max(most_m, leg.missing_m);
   out.push_back(
       fmt::format("the route leaves the land on {} of its {} legs, by up to {:.2f} m: no way has room there",
                   without_room, plan.route.legs.size(), most_m));

@@ -140,13 +140,15 @@ TEST(PlannedRoutes, finish_one_part_before_the_next) {
   EXPECT_TRUE(goes_back());
 }
 
+/// What is wrong with the warnings of a plan, first of all.
+std::string found(const Plan& plan) {
+  const std::vector<check::Violation> all = check::compare_warnings(plan);
+  return all.empty() ? std::string() : all.front().what;
+}
+
 TEST(PlannedRoutes, say_into_how_many_parts_the_land_falls) {
   PlanSettings settings = whole_route(2);
   settings.boundary = EdgeKind::kHard;
-  const auto found = [](const Plan& plan) {
-    const std::vector<check::Violation> all = check::compare_warnings(plan);
-    return all.empty() ? std::string() : all.front().what;
-  };
   Plan plan = plan_field(with_lane(4), machine(6, 6), {}, settings);
   EXPECT_EQ(found(plan), "");
   std::string& said = plan.warnings.back();
@@ -184,6 +186,12 @@ TEST(PlannedRoutes, hold_for_machines_that_carry_tow_and_reverse) {
   expect_route_holds(l_shape(), of, whole_route(0));
 }
 
+// Where the axle is ahead of the implement, its places on a pass are others one way round than the other.
+TEST(PlannedRoutes, hold_round_closed_passes_with_an_implement_behind_the_axle) {
+  for (const double wide_m : {85.0, 121.0})
+    expect_route_holds(field_of(box(0, 0, 203, wide_m)), with_tractor(machine(6, 6)), whole_route(3));
+}
+
 // Its implement works behind the axle: where the axle comes out of the corner of a pass, r = 6 m, the rear
 // corner of the bar, 3 m behind and 3 m beside it, is farther from the middle of the arc than the boundary, 6
 // m + 3 m.
@@ -202,6 +210,18 @@ TEST(PlannedRoutes, say_where_an_implement_swings_out_at_corners) {
     ++swings;
   }
   EXPECT_EQ(swings, 1);
+}
+
+TEST(PlannedRoutes, hold_with_the_warning_of_corners_that_swing_out) {
+  Plan plan = plan_field(field_of(box(0, 0, 200, 100)), with_tractor(machine(6, 6)), {}, whole_route(3));
+  EXPECT_EQ(found(plan), "");
+  const auto at = std::ranges::find_if(plan.warnings, [](const std::string& warning) {
+    return warning.find("swing out over the edge of the land by up to 0.49 m") != std::string::npos ||
+           warning.find("swing out over the edge of the land by up to 0.48 m") != std::string::npos;
+  });
+  ASSERT_NE(at, plan.warnings.end());
+  plan.warnings.erase(at);
+  EXPECT_NE(found(plan).find("swing out"), std::string::npos) << found(plan);
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ TEST(Route, BacksOutOfDeadEnds) {
   EXPECT_TRUE(std::ranges::any_of(plan.route.legs, [](const RouteLeg& leg) {
     return leg.kind == LegKind::kBackOut && leg.gear == Gear::kReverse;
   }));
-  EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+  EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
 }
 
 /// Two fields of 120 m x 90 m and the lane of 60 m between them.
@@ -229,7 +229,7 @@ TEST(Route, FinishesOnePartOfTheLandBeforeTheNext) {
     const Plan plan = plan_field(with_lane(4), {"", 6, 6}, {}, settings);
     expect_sound(plan);
     EXPECT_EQ(changes_of_side(plan), 1);
-    EXPECT_EQ(sums_of(plan.route).without_room, 1U);
+    EXPECT_EQ(legs_without_room(plan.route, plan.machine), 1U);
   }
 }
 
@@ -241,7 +241,7 @@ TEST(Route, EndsOnThePartOfTheLandWithItsGate) {
     const Plan plan = plan_field(with_lane(4), {"", 6, 6}, {}, settings);
     expect_sound(plan);
     EXPECT_EQ(changes_of_side(plan), 1);
-    EXPECT_EQ(sums_of(plan.route).without_room, 1U);
+    EXPECT_EQ(legs_without_room(plan.route, plan.machine), 1U);
     EXPECT_EQ(end_of(plan.route.legs.back()).at.x < 150, left);
   }
 }
@@ -293,7 +293,29 @@ TEST(Route, JoinsLegsOfImplementsBehindTheAxle) {
     }
     EXPECT_LT(leg.missing_m, 1.5);
   }
-  EXPECT_GT(sums_of(plan.route).without_room, 0U);
+  EXPECT_TRUE(std::ranges::any_of(plan.route.legs, [](const RouteLeg& leg) { return leg.missing_m > 0; }));
+  EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
+}
+
+// Its rear corners swing out over the edge wherever it turns off the outermost pass, so nothing may follow
+// that one. On long land the pass of 6.6 km swings as far in its corners as a short one: r = w = 6 m, 3 m
+// behind the axle, √(9² + 3²) − 9.
+TEST(Route, WorksThePassAtTheEdgeLastWhereItCannotBeLeft) {
+  Machine machine{"", 6, 6};
+  machine.turning.implement_offset_m = 2;
+  machine.turning.rear_overhang_m = 1;
+  for (const double long_m : {203.0, 3200.0}) {
+    PlanSettings settings = whole_route(3);
+    settings.boundary = EdgeKind::kHard;
+    settings.aim = Aim::kWholeCost;
+    const Plan plan = plan_field(rectangle(long_m, 121), machine, {}, settings);
+    expect_sound(plan);
+    EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
+    const RouteLeg& last = plan.route.legs.back();
+    ASSERT_TRUE(last.pass.has_value());
+    EXPECT_EQ(plan.headland.passes[*last.pass].number, 1);
+    EXPECT_NEAR(last.missing_m, std::sqrt(90) - 9, 0.01);
+  }
 }
 
 TEST(Route, IsTheSameForAnyNumberOfThreads) {
@@ -336,7 +358,7 @@ TEST(Route, BacksOutOfASpurByTheWayItCameIn) {
     const Plan plan = plan_field(field, {"", 6, 6}, {}, settings);
     expect_sound(plan);
     const RouteSums sums = sums_of(plan.route);
-    EXPECT_EQ(sums.without_room, 0);
+    EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
     EXPECT_GE(sums.reverse_m, spur_m);
     EXPECT_LE(sums.reverse_m, spur_m + 60);
   }

@@ -83,6 +83,45 @@ TEST(WholeCost, CountsLegsWithoutRoom) {
   EXPECT_DOUBLE_EQ(without.time_s(), with_room.time_s());
 }
 
+// r = 6 m, w = 6 m, the bar from 2 m to 3 m behind the axle: its rear corner swings out to √(9² + 3²) = 9.487
+// m from the middle of the circle, 0.487 m beyond the band.
+TEST(WholeCost, ChargesNothingForCornersThatSwingOutOnHeadlandPasses) {
+  Plan plan;
+  plan.field = bare_field(100, 100);
+  plan.body = {{plan.field.outer, {}}};
+  plan.machine = {"", 6, 6};
+  plan.machine.turning.implement_offset_m = 2;
+  plan.machine.turning.rear_overhang_m = 1;
+  EXPECT_NEAR(corner_swing_m(plan.machine), std::sqrt(90) - 9, 1e-12);
+  plan.route.legs = {timed(LegKind::kHeadland, true, 900)};
+  const auto charged = [&](LegKind kind, double missing_m) {
+    plan.route.legs.front().kind = kind;
+    plan.route.legs.front().missing_m = missing_m;
+    return whole_cost(plan).without_room;
+  };
+  EXPECT_EQ(charged(LegKind::kHeadland, 0.48), 0);
+  EXPECT_EQ(charged(LegKind::kHeadland, 0.55), 50);
+  EXPECT_EQ(charged(LegKind::kWork, 0.48), 50);
+  EXPECT_EQ(charged(LegKind::kTransit, 0.48), 50);
+  plan.machine.turning = {};
+  EXPECT_EQ(charged(LegKind::kHeadland, 0.001), 50);
+}
+
+// A vehicle 2 m wide that reaches 6 m ahead: √(7² + 6²) − 9 = 0.220 m. In tow its implement does not swing.
+TEST(WholeCost, KnowsHowFarCornersSwing) {
+  Machine machine{"", 6, 6};
+  EXPECT_EQ(corner_swing_m(machine), 0);
+  machine.turning.vehicle_width_m = 2;
+  machine.turning.front_overhang_m = 6;
+  EXPECT_NEAR(corner_swing_m(machine), std::sqrt(85) - 9, 1e-12);
+  machine.turning.implement_offset_m = -5;  // in front of the axle: √(9² + 5²) − 9
+  EXPECT_NEAR(corner_swing_m(machine), std::sqrt(106) - 9, 1e-12);
+  machine.turning.implement_offset_m = 5;
+  machine.turning.implement = Coupling::kTowed;
+  machine.turning.drawbar_m = 4;
+  EXPECT_NEAR(corner_swing_m(machine), std::sqrt(85) - 9, 1e-12);
+}
+
 // A seeder presses no crop, and what is not given is usual: 3.5 l/ha · 3 m · 2.5 m/s = 9.45 l/h.
 TEST(WholeCost, TakesUsualRatesWhereNoneAreGiven) {
   Machine machine;
@@ -150,7 +189,7 @@ TEST(CheapestRoute, DrivesALongFieldLengthwise) {
   settings.aim = Aim::kWholeCost;
   const Plan plan = plan_field(bare_field(600, 40), {}, {}, settings, 1);
   for (const Subfield& subfield : plan.subfields) EXPECT_NEAR(subfield.direction.degrees(), 90, 1e-6);
-  EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+  EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
 }
 
 // A disc of 45 m is driven in 15 circles of 3 m from its rim to its centre, with no turn between tracks.

@@ -171,13 +171,21 @@ Expected of_legs_without_room(const Plan& plan) {
   std::ptrdiff_t count = 0;
   double most_m = 0;
   for (const RouteLeg& leg : plan.route.legs) {
-    if (leg.missing_m > 0) ++count;
+    if (!cannot_be_driven(plan, leg)) continue;
+    ++count;
     most_m = std::max(most_m, leg.missing_m);
   }
   return {"the route leaves the land on",
           count > 0,
           false,
           {counted(count), counted(std::ssize(plan.route.legs)), amount(most_m)}};
+}
+
+Expected of_swinging_corners(const Plan& plan) {
+  double most_m = 0;
+  for (const RouteLeg& leg : plan.route.legs)
+    if (!cannot_be_driven(plan, leg)) most_m = std::max(most_m, leg.missing_m);
+  return {"swing out over the edge of the land by up to", most_m > 0, false, {amount(most_m)}};
 }
 
 Expected of_parts(const Plan& plan) {
@@ -188,10 +196,19 @@ Expected of_parts(const Plan& plan) {
 /// Of lines of others only the warning about land is ours to repeat.
 std::vector<Expected> all_expected(const Plan& plan) {
   if (is_of_lines(plan)) return {of_unworked_land(plan)};
-  return {
-      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),     of_left_out_land(plan),
-      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan),    of_short_pieces(plan),
-      of_cut_short(plan),           of_connections(plan),  of_legs_without_room(plan), of_parts(plan)};
+  return {of_unworked_land(plan),
+          of_overrun(plan),
+          of_given_up_land(plan),
+          of_left_out_land(plan),
+          of_passes_without_room(plan),
+          of_passes_alone(plan),
+          of_dropped_pieces(plan),
+          of_short_pieces(plan),
+          of_cut_short(plan),
+          of_connections(plan),
+          of_legs_without_room(plan),
+          of_swinging_corners(plan),
+          of_parts(plan)};
 }
 
 }  // namespace

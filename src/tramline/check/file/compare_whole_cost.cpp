@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/check/rules/route/route_facts.h"
 #include "tramline/model/rate_values.h"
 
 namespace tramline::check {
@@ -24,12 +25,12 @@ struct Driven {
   int stops = 0, without_room = 0;
 };
 
-Driven driven_by(const Route& route) {
+Driven driven_by(const Plan& plan) {
   Driven out;
-  for (const RouteLeg& leg : route.legs) {
+  for (const RouteLeg& leg : plan.route.legs) {
     (leg.work ? out.work_s : out.idle_s) += leg.time_s;
     if (leg.kind == LegKind::kBackOut) ++out.stops;
-    if (leg.missing_m > 0) ++out.without_room;
+    if (cannot_be_driven(plan, leg)) ++out.without_room;
   }
   return out;
 }
@@ -40,7 +41,7 @@ class CostComparison {
 
   std::vector<Violation> run() {
     compare_rates();
-    const Driven driven = driven_by(plan_.route);
+    const Driven driven = driven_by(plan_);
     const Rates& rates = stated_.rates;
     const double hours = (driven.work_s + driven.idle_s) / kHour_s;
     const double litres = rates.fuel_l_per_h * (driven.work_s + kWorkOffFuel * driven.idle_s) / kHour_s;
@@ -102,7 +103,7 @@ std::vector<Violation> compare_whole_cost(const Plan& plan, const StatedCost& st
 }
 
 std::vector<std::string> rates_without_effect(const Plan& plan, const StatedCost& stated) {
-  const Driven driven = driven_by(plan.route);
+  const Driven driven = driven_by(plan);
   const Rates& rates = stated.rates;
   const bool crop_pressed = works_standing_crop(rates.operation) && plan.route.over_tracks_m > 0;
   std::vector<std::string> out;

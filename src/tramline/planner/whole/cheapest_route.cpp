@@ -364,7 +364,7 @@ RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
   out.headlands = plan.settings.headlands;
   out.all_round = plan.settings.headland_edges.empty();
   out.cost = whole_cost(plan);
-  out.without_room = sums_of(plan.route).without_room;
+  out.without_room = legs_without_room(plan.route, plan.machine);
   return out;
 }
 

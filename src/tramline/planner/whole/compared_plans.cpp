@@ -56,7 +56,9 @@ bool all_round(const PassesByBoundary& passes) {
          passes.edges.end();
 }
 
-bool leaves_land(const PlanDraft& draft) { return sums_of(draft.plan.route).without_room + 1 > draft.parts; }
+bool leaves_land(const PlanDraft& draft) {
+  return legs_without_room(draft.plan.route, draft.plan.machine) + 1 > draft.parts;
+}
 
 bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan) {
   const int depth = depth_of(plan);

@@ -187,10 +187,34 @@ class PassTour {
   std::vector<bool> done_;  ///< or none of those asked for
 };
 
+bool leads_forward(const WorkedPass& worked) {
+  return worked.before.has_room() && !worked.before.backs_out && !worked.before.backs_in;
+}
+
+/// How many ways lack room, and what all cost, s.
+std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour) {
+  std::pair<std::ptrdiff_t, double> out{0, 0};
+  for (const WorkedPass& worked : tour) {
+    if (!worked.before.has_room()) ++out.first;
+    out.second += worked.before.cost_s;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
-  return PassTour(task).from(left);
+  std::vector<WorkedPass> out = PassTour(task).from(left);
+  if (task.sequence != PassSequence::kAny || std::ranges::all_of(out, leads_forward)) return out;
+  // What works behind the axle swings over the edge where the machine turns off a pass beside it: that pass
+  // is best worked last, or before all others.
+  for (const PassSequence sequence : {PassSequence::kOutwards, PassSequence::kInwards}) {
+    PassTask ordered = task;
+    ordered.sequence = sequence;
+    std::vector<WorkedPass> other = PassTour(ordered).from(left);
+    if (effort_of(other) < effort_of(out)) out = std::move(other);
+  }
+  return out;
 }
 
 WorkedPass nearest_pass(const PassTask& task, const SteeredPath& left) {

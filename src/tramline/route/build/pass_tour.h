@@ -32,7 +32,8 @@ struct PassTask {
 /// These passes, each once, from where the route is (`left`: the way of the axle up to there; empty: nowhere
 /// yet, then the first of them begins at its own beginning). The nearest pass in driving time comes next, of
 /// those whose turn it is by `sequence`: of passes along one boundary by their numbers. Of the places of a
-/// closed pass that is entered which is reached soonest with room. O(p²) ways for p passes.
+/// closed pass that is entered which is reached soonest with room. Where a way between them lacks room or is
+/// backed along, in whatever order takes least of this one, outwards and inwards. O(p²) ways for p passes.
 std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left);
 
 /// The first of them, and the way there. Preconditions: there is a pass, and `left` is not empty.

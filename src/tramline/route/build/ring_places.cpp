@@ -53,6 +53,26 @@ double crude_s(const Pose& from, const Pose& to, const LeastSeconds& least) {
   return distance(from.at, to.at) / least.fastest_mps();
 }
 
+double least_from_ring_to_ring(const RingPlaces& one, const RingPlaces& other, const LeastSeconds& least) {
+  double out = kFar;
+  for (const std::vector<Pose>& places : one.senses)
+    for (const std::vector<Pose>& others : other.senses) {
+      const auto reached = [&](std::size_t j) { return others[others.size() - 1 - j]; };
+      out = least_of_places(
+          places.size(), fall_s(one, least), out,
+          [&](std::size_t i) { return least_distance_m(other, places[i].at) / least.fastest_mps(); },
+          [&](std::size_t i, double best_s) {
+            return least_of_places(
+                others.size(), fall_s(other, least), best_s,
+                [&](std::size_t j) { return crude_s(places[i], reached(j), least); },
+                [&](std::size_t j, double known_s) {
+                  return least.between(places[i], 0, reached(j), 0, known_s);
+                });
+          });
+    }
+  return std::max(0.0, out - fall_s(one, least) - fall_s(other, least));
+}
+
 }  // namespace
 
 RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
@@ -95,23 +115,7 @@ double least_to_ring(const Pose& left, const RingPlaces& ring, const LeastSecond
 }
 
 double least_between_rings(const RingPlaces& one, const RingPlaces& other, const LeastSeconds& least) {
-  double out = kFar;
-  for (const std::vector<Pose>& places : one.senses)
-    for (const std::vector<Pose>& others : other.senses) {
-      const auto reached = [&](std::size_t j) { return others[others.size() - 1 - j]; };
-      out = least_of_places(
-          places.size(), fall_s(one, least), out,
-          [&](std::size_t i) { return least_distance_m(other, places[i].at) / least.fastest_mps(); },
-          [&](std::size_t i, double best_s) {
-            return least_of_places(
-                others.size(), fall_s(other, least), best_s,
-                [&](std::size_t j) { return crude_s(places[i], reached(j), least); },
-                [&](std::size_t j, double known_s) {
-                  return least.between(places[i], 0, reached(j), 0, known_s);
-                });
-          });
-    }
-  return std::max(0.0, out - fall_s(one, least) - fall_s(other, least));
+  return std::min(least_from_ring_to_ring(one, other, least), least_from_ring_to_ring(other, one, least));
 }
 
 double least_distance_m(const RingPlaces& ring, Point p) {

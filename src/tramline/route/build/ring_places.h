@@ -22,8 +22,9 @@ struct RingPlaces {
 RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning);
 
 /// Lower bounds, s, of ways with the work off from any place of a ring, either way round, to where a work
-/// begins; from where a work ended to any place of a ring; and from any place of one ring to any of another,
-/// which is the same in both directions.
+/// begins; from where a work ended to any place of a ring; and between any places of two rings, in whichever
+/// direction it is less: where an implement works behind the axle or ahead of it, the places of the two
+/// senses are not the same.
 ///
 /// The least is taken over the places alone. From any other the machine could drive on along the ring to the
 /// next place and would be there a step later, or have come from the one before; so it is less by no more

@@ -60,7 +60,13 @@ bool DrivingGround::can_follow(const SteeredPath& path) const {
 
 double DrivingGround::lacking_along_m(const SteeredPath& path) const {
   if (has_room_along(path)) return 0;
-  const double missing_m = land().missing_m(path, outline_);
+  // Long passes in parts, of which each is looked at as closely as a short one; a drawbar knows of all of it.
+  double missing_m = 0;
+  if (outline_.tows())
+    missing_m = land().missing_m(path, outline_);
+  else
+    for (const SteeredStretch& stretch : path)
+      if (!has_room_along({stretch})) missing_m = std::max(missing_m, land().missing_m({stretch}, outline_));
   return missing_m > kNoticed_m ? missing_m : 0;
 }
 

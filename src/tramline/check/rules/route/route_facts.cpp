@@ -7,6 +7,35 @@
 #include <set>
 
 namespace tramline::check {
+namespace {
+
+/// The places of corners on the outer side of a turn, from the axle: ahead in x, beside it in y, m.
+std::vector<Point> outer_corners(const Machine& machine) {
+  const Turning& turning = machine.turning;
+  std::vector<Point> out{{turning.front_overhang_m, turning.vehicle_width_m / 2}};
+  if (turning.implement == Coupling::kMounted)
+    for (const double behind_m :
+         {turning.implement_offset_m, turning.implement_offset_m + turning.rear_overhang_m})
+      out.push_back({-behind_m, machine.width_m / 2});
+  return out;
+}
+
+/// Nobody knows better than to this, m, how far a corner swings.
+constexpr double kSwing_m = 0.01;
+
+}  // namespace
+
+bool cannot_be_driven(const Plan& plan, const RouteLeg& leg) {
+  if (!(leg.missing_m > 0)) return false;
+  if (leg.kind != LegKind::kHeadland) return true;
+  const Point middle{0, -plan.machine.radius_m};
+  const double band_m = distance(middle, {0, plan.machine.width_m / 2});
+  for (const Point corner : outer_corners(plan.machine)) {
+    const double swung_m = distance(middle, corner) - band_m;
+    if (swung_m > 0 && leg.missing_m <= swung_m + kSwing_m) return false;
+  }
+  return true;
+}
 
 std::string leg_name(const Plan& plan, std::size_t leg) {
   return fmt::format("leg {} ({})", leg + 1, name(plan.route.legs[leg].kind));

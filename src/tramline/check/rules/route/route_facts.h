@@ -49,6 +49,10 @@ std::size_t part_of(const RouteLeg& leg, const Plan& plan, const LandParts& part
 /// On how many parts there is work; legs along pieces or passes that do not exist do not count.
 std::size_t parts_with_work(const Plan& plan, const LandParts& parts);
 
+/// Whether a leg leaves the land, and not just by what corners of the machine swing out of the band that it
+/// works where a headland pass turns as sharply as the machine can.
+bool cannot_be_driven(const Plan& plan, const RouteLeg& leg);
+
 /// How far the heading is from a direction, degrees.
 double turned_deg(Point ahead, Point other);
 
