@@ -1,7 +1,7 @@
 // Plans every curated real field with headlands as its turns need them, writes each plan to a file, reads it
 // back and verifies it; and looks for places where the machine leaves the land, by a road of its own.
 //
-//   automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]
+//   automatic_headlands WIDTH RADIUS KIND [PREFIX]
 //
 // Fields whose id begins with PREFIX alone, where it is given. Prints a line for every field with a fault,
 // a stop or a turn without room, and a summary; exit code 1 where a plan does not hold or a turn that is said
@@ -118,8 +118,8 @@ int run(const Machine& machine, const std::string& prefix) {
 }  // namespace tramline::testing
 
 int main(int count, char** words) {
-  const auto machine = tramline::testing::machine_in_words(
-      count, words, "automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]");
+  const auto machine =
+      tramline::testing::machine_in_words(count, words, "automatic_headlands WIDTH RADIUS KIND [PREFIX]");
   if (!machine) return 2;
   return tramline::testing::run(*machine, count > 4 ? words[4] : "");
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,13 +24,27 @@
 namespace tramline::testing {
 
 std::optional<Machine> machine_in_words(int count, char** words, const char* usage) {
-  const std::string_view gears = count > 3 ? words[3] : "";
-  if (gears != "forward" && gears != "reversing") {
+  const std::string_view kind = count > 3 ? words[3] : "";
+  constexpr std::array kKinds{"forward", "reversing", "carrying", "towing"};
+  if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
     std::fprintf(stderr, "usage: %s\n", usage);
     return std::nullopt;
   }
   Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
-  machine.turning.reverse = gears == "reversing";
+  Turning& turning = machine.turning;
+  turning.reverse = kind == "reversing" || kind == "carrying";
+  if (kind == "forward" || kind == "reversing") return machine;
+  turning.vehicle_width_m = 2.5;
+  turning.front_overhang_m = 4;
+  turning.lift_m = turning.lower_m = 2;
+  if (kind == "carrying") {
+    turning.implement_offset_m = 1.5;
+    turning.rear_overhang_m = 1;
+  } else {
+    turning.implement = Coupling::kTowed;
+    turning.implement_offset_m = 1;
+    turning.drawbar_m = 5;
+  }
   return machine;
 }
 

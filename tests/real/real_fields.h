@@ -59,8 +59,9 @@ std::vector<std::string> faults_of(const Plan& plan);
 /// The same of a plan file: also where it contradicts itself, and whether its field is that of the input.
 std::vector<std::string> faults_of_file(const std::string& file, const Field& input);
 
-/// The machine of a program's words WIDTH RADIUS forward|reversing; nullopt, with the usage on stderr, where
-/// they are none of these.
+/// The machine of a program's words WIDTH RADIUS KIND; nullopt, with the usage on stderr, where they are none
+/// of these. The kinds `forward` and `reversing` are bars at the axle, `carrying` is a tractor that reverses,
+/// with an implement behind it that takes 2 m to be lifted and lowered, and `towing` one with a drawbar.
 std::optional<Machine> machine_in_words(int count, char** words, const char* usage);
 
 /// Adds the failure of a run to the faults; that a field was refused is not a fault.

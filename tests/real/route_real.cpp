@@ -1,7 +1,7 @@
 // Plans the whole route over real fields, writes each plan to a file, reads it back and verifies it; and
 // looks for places where the machine leaves the land, by a road of its own.
 //
-//   route_real WIDTH RADIUS forward|reversing [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]
+//   route_real WIDTH RADIUS KIND [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]
 //
 // The curated fields, or all of them; or every so many of them, from number FIRST on, counted from 0. PASSES:
 // of the headlands of field and obstacles, or auto, which is the default. Fields whose id begins with PREFIX
@@ -246,8 +246,7 @@ int run(const Machine& machine, const Words& words) {
 
 int main(int count, char** words) {
   const auto machine = tramline::testing::machine_in_words(
-      count, words,
-      "route_real WIDTH RADIUS forward|reversing [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]");
+      count, words, "route_real WIDTH RADIUS KIND [curated|all[/EVERY[/FIRST]] [PASSES [PREFIX [DUMP]]]]");
   if (!machine) return 2;
   return tramline::testing::run(*machine, {count > 4 ? words[4] : "curated", count > 5 ? words[5] : "auto",
                                            count > 6 ? words[6] : "", count > 7 ? words[7] : ""});

@@ -1,7 +1,7 @@
 // Plans of least whole cost over real fields, against plans of least cost of their tracks, against plans
 // along the longest side, and against random ones: are they cheaper, and which fields are not driven along?
 //
-//   whole_plans WIDTH RADIUS forward|reversing [EVERY|FIELD [RANDOM [FIRST]]]
+//   whole_plans WIDTH RADIUS KIND [EVERY|FIELD [RANDOM [FIRST]]]
 //
 // Every EVERY-th curated field from the FIRST on, all by default, or the one of this id; RANDOM: so many
 // random layouts a field, none by default: one direction, offset and depth of headland each, with its route.
@@ -222,7 +222,7 @@ Words words_of(int count, char** words) {
 
 int main(int count, char** words) {
   const auto machine = tramline::testing::machine_in_words(
-      count, words, "whole_plans WIDTH RADIUS forward|reversing [EVERY|FIELD [RANDOM [FIRST]]]");
+      count, words, "whole_plans WIDTH RADIUS KIND [EVERY|FIELD [RANDOM [FIRST]]]");
   if (!machine) return 2;
   return tramline::testing::run(*machine, tramline::testing::words_of(count, words));
 }
