@@ -76,7 +76,7 @@ std::optional<PassSequence> pass_sequence_named(std::string_view word) { return 
 double length(const RouteLeg& leg) { return length(leg.path); }
 
 bool lacks_room(const RouteLeg& leg, const Machine& machine) {
-  constexpr double kFound_m = 0.01;  // how far the room that is missing may be off
+  constexpr double kFound_m = 0.01;  // to which missing_m is known
   const double allowed_m = leg.kind == LegKind::kHeadland ? corner_swing_m(machine) : 0;
   return leg.missing_m > (allowed_m > 0 ? allowed_m + kFound_m : 0);
 }

@@ -20,7 +20,7 @@ std::vector<Point> outer_corners(const Machine& machine) {
   return out;
 }
 
-/// Nobody knows better than to this, m, how far a corner swings.
+/// How far a corner swings is known to this, m.
 constexpr double kSwing_m = 0.01;
 
 }  // namespace
