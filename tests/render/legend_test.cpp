@@ -47,6 +47,19 @@ TEST(Legend, ShowsOnlyTheSymbolsThatOccur) {
   EXPECT_FALSE(shows(plan, Symbol::kUncovered));
 }
 
+// Only ways with the work off are drawn.
+TEST(Legend, ShowsWaysWithoutRoomWhereTheyAreDrawn) {
+  Plan plan = sample_plan();
+  plan.route.legs.resize(2);
+  plan.route.legs[0].kind = LegKind::kHeadland;
+  plan.route.legs[0].work = true;
+  plan.route.legs[0].missing_m = 0.4;
+  plan.route.legs[1].kind = LegKind::kTransit;
+  EXPECT_FALSE(shows(plan, Symbol::kNoRoom));
+  plan.route.legs[1].missing_m = 0.4;
+  EXPECT_TRUE(shows(plan, Symbol::kNoRoom));
+}
+
 TEST(Legend, ManySubfieldsAreCounted) {
   Plan plan = sample_plan();
   plan.subfields.assign(40, plan.subfields[0]);

@@ -123,7 +123,8 @@ TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
     for (const Pose& place : places)
       for (const Pose& other : others)
         if (distance(place.at, other.at) < quickest_s * 1.5)
-          quickest_s = std::min(quickest_s, way_s(place, 0, other, 0, machine));
+          quickest_s =
+              std::min({quickest_s, way_s(place, 0, other, 0, machine), way_s(other, 0, place, 0, machine)});
     const double steps_s = (from.step_m + to.step_m) / machine.turning.turning_speed_mps;
     expect_bounds(least_between_rings(from, to, least), quickest_s, 2 * steps_s);
     EXPECT_DOUBLE_EQ(least_between_rings(to, from, least), least_between_rings(from, to, least));

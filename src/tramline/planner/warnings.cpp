@@ -77,20 +77,23 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
                   count, plan.pieces.size(), count == 1 ? "is" : "are", least_m));
 }
 
+void warn_of_swinging_corners(const Plan& plan, std::vector<std::string>& out) {
+  double most_m = 0;
+  for (const RouteLeg& leg : plan.route.legs)
+    if (!lacks_room(leg, plan.machine)) most_m = std::max(most_m, leg.missing_m);
+  if (most_m == 0) return;
+  out.push_back(
+      fmt::format("corners of the machine swing out over the edge of the land by up to {:.2f} m where "
+                  "headland passes turn, whichever way they are driven",
+                  most_m));
+}
+
 void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) {
-  double most_m = 0, swung_m = 0;
-  std::size_t without_room = 0;
-  for (const RouteLeg& leg : plan.route.legs) {
-    double& farthest_m = lacks_room(leg, plan.machine) ? most_m : swung_m;
-    farthest_m = std::max(farthest_m, leg.missing_m);
-    if (lacks_room(leg, plan.machine)) ++without_room;
-  }
-  if (swung_m > 0)
-    out.push_back(
-        fmt::format("corners of the machine swing out over the edge of the land by up to {:.2f} m where "
-                    "headland passes turn, whichever way they are driven",
-                    swung_m));
+  const std::size_t without_room = legs_without_room(plan.route, plan.machine);
   if (without_room == 0) return;
+  double most_m = 0;
+  for (const RouteLeg& leg : plan.route.legs)
+    if (lacks_room(leg, plan.machine)) most_m = std::max(most_m, leg.missing_m);
   out.push_back(
       fmt::format("the route leaves the land on {} of its {} legs, by up to {:.2f} m: no way has room there",
                   without_room, plan.route.legs.size(), most_m));
@@ -148,10 +151,9 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   warn_of_narrow_ground(plan, out);
   warn_of_dropped_pieces(plan, out);
   warn_of_short_pieces(plan, out);
-  if (!plan.route.planned())
-    out.emplace_back(kConnectionsUnplanned);
-  else
-    warn_of_legs_without_room(plan, out);
+  if (!plan.route.planned()) out.emplace_back(kConnectionsUnplanned);
+  warn_of_swinging_corners(plan, out);
+  warn_of_legs_without_room(plan, out);
   return out;
 }
 

@@ -67,7 +67,8 @@ LegendBlock symbols(const Plan& plan) {
   add(legs(kind(LegKind::kTurn)), Symbol::kTurn, "turn, way of the axle");
   add(legs(kind(LegKind::kTransit)), Symbol::kTransit, "transit, work off");
   add(legs(kind(LegKind::kBackOut)), Symbol::kBackOut, "backing out or in, in reverse");
-  add(legs([](const RouteLeg& leg) { return leg.missing_m > 0; }), Symbol::kNoRoom, "way without room");
+  add(legs([](const RouteLeg& leg) { return !leg.work && leg.missing_m > 0; }), Symbol::kNoRoom,
+      "way without room");
   add(plan.route.planned(), Symbol::kRouteStart, "the route starts");
   add(plan.route.planned(), Symbol::kRouteEnd, "the route ends");
   add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
