@@ -39,7 +39,7 @@ class FullDisks : public ServerTest {
  protected:
   void SetUp() override {
     field_ = served.field_of("riverside.geojson");
-    plan_ = served.planned(field_);
+    plan_ = served.planned(field_, quick_);
     machine_ = served.post("/machines", drill("drill")).json.value("id", "");
   }
   /// All that stores something, one after the other; the statuses.
@@ -59,6 +59,7 @@ class FullDisks : public ServerTest {
     return out;
   }
 
+  const ordered_json quick_{{"strategy", "sweep"}, {"route", false}};
   std::string field_, plan_, machine_;
 };
 
@@ -78,7 +79,8 @@ TEST_F(FullDisks, NothingChangesWhileItIsFullAndAllIsStoredAfterwards) {
 }
 
 TEST_F(FullDisks, APlanThatCannotBeKeptFailsAndTheNextIsKept) {
-  const ordered_json order = {{"kind", "plan"}, {"field", field_}, {"machine", drill("drill")}};
+  const ordered_json order = {
+      {"kind", "plan"}, {"field", field_}, {"machine", drill("drill")}, {"settings", quick_}};
   {
     const FullDisk full;
     const ordered_json job = served.job_of(served.post("/jobs", order));
