@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tramline/planner/whole/cheapest_route.h"
+
 namespace tramline {
 namespace {
 
@@ -61,6 +63,28 @@ TEST(RouteLayouts, PutOpenPassesWhereTracksEnd) {
   ASSERT_EQ(edges.size(), 4U);
   for (const std::size_t side : {0U, 2U}) EXPECT_GE(edges[side], 2) << side;
   for (const std::size_t side : {1U, 3U}) EXPECT_LE(edges[side], 1) << side;
+}
+
+// One pass leaves 28 by 188 m. Along it five tracks reach 2 m too far or four leave 4 m, on 188 m; across it
+// 31 leave 2 m on 28 m. Where time costs nothing, neither do turns, and tracks go across; by the usual prices
+// of tracks 31 of them cost more in turns than the land along the other four.
+TEST(RouteLayouts, LayTracksByTheUsualPricesToo) {
+  PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
+  problem.machine.rates.price_per_hour = problem.machine.rates.fuel_l_per_h = 0;
+  problem = with_track_prices(std::move(problem));
+  const std::vector<Plan> layouts = one_layout(problem);
+  RouteLayouts tried(problem, layouts, SearchContext(1));
+  const PassesByBoundary passes = tried.all_round(1, {});
+  const std::vector<LaidOut> searched = tried.searched(passes);
+  const std::optional<LaidOut> usual = tried.searched_by_usual_prices(passes);
+  ASSERT_TRUE(!searched.empty() && usual);
+  const auto along_deg = [](const LaidOut& laid) {
+    return angle_between(laid.trial.draft.plan.subfields.front().direction,
+                         Direction::clockwise_from_north(Angle::degrees(0)))
+        .degrees();
+  };
+  EXPECT_NEAR(along_deg(searched.back()), 90, 1);
+  EXPECT_NEAR(along_deg(*usual), 0, 1);
 }
 
 TEST(RouteLayouts, PutNoOpenPassesWhereTheyAreGiven) {

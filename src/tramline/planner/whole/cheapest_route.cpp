@@ -63,6 +63,7 @@ class Comparison {
     }
     if (goes_on()) vary_depth();
     if (goes_on()) vary_directions();
+    if (goes_on()) vary_prices();
     context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
     if (goes_on()) vary_grids();
@@ -198,6 +199,13 @@ class Comparison {
       const Plan& plan = plans_[like].plan();
       if (!has_such(plans_, plan, passes)) improves(layouts_.laid_out(Alternative::kSearched, plan, passes));
     }
+  }
+
+  /// What is best by other prices of tracks, behind the passes of the best plan: the prices of turns are
+  /// those of the quickest ones, of which only routes show what they come to.
+  void vary_prices() {
+    std::optional<LaidOut> laid = layouts_.searched_by_usual_prices(best().passes);
+    if (laid && !has_such(plans_, laid->trial.draft.plan, best().passes)) improves(std::move(laid));
   }
 
   /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of

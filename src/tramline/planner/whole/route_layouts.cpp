@@ -228,6 +228,18 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   return out;
 }
 
+std::optional<LaidOut> RouteLayouts::searched_by_usual_prices(const PassesByBoundary& passes) {
+  const Behind& on = behind(passes);
+  if (!on.prepared || area(on.prepared->ground.plannable) == 0) return std::nullopt;
+  PlanningProblem usual = on.problem;
+  usual.objective = Objective{};
+  usual.settings.shape = TrackShape::kStraight;
+  const SearchTask task(usual, *on.prepared);
+  const SearchResult found = straight_search(task, context_.uncounted());
+  if (!found.best.works()) return std::nullopt;
+  return laid_out_on(on, Alternative::kSearched, drafted(task, found).plan);
+}
+
 std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<LaidOut>& known) const {
   std::vector<Job> out;
   const auto add = [&](Alternative kind, Direction direction) {
