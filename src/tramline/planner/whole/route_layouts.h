@@ -66,7 +66,7 @@ class RouteLayouts {
   std::vector<LaidOut> searched(const PassesByBoundary& passes);
 
   /// The tracks behind these passes that cost least by the usual prices of tracks (Objective), laid anew by
-  /// those of the problem; nullopt where no track fits. By the former overlap costs more and a turn less.
+  /// those of the problem; nullopt where no track fits. By the usual prices a turn mostly costs more.
   std::optional<LaidOut> searched_by_usual_prices(const PassesByBoundary& passes);
 
   /// The directions and curves of a plan laid anew behind these passes; nullopt where no track fits.
