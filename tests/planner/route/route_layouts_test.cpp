@@ -76,14 +76,13 @@ TEST(RouteLayouts, LayTracksByTheUsualPricesToo) {
   RouteLayouts tried(problem, layouts, SearchContext(1));
   const PassesByBoundary passes = tried.all_round(1, {});
   const std::vector<LaidOut> searched = tried.searched(passes);
-  const std::optional<LaidOut> usual = tried.searched_by_usual_prices(passes);
+  const std::optional<Plan> usual = tried.best_by_usual_prices(passes);
   ASSERT_TRUE(!searched.empty() && usual);
-  const auto along_deg = [](const LaidOut& laid) {
-    return angle_between(laid.trial.draft.plan.subfields.front().direction,
-                         Direction::clockwise_from_north(Angle::degrees(0)))
+  const auto along_deg = [](const Plan& plan) {
+    return angle_between(plan.subfields.front().direction, Direction::clockwise_from_north(Angle::degrees(0)))
         .degrees();
   };
-  EXPECT_NEAR(along_deg(searched.back()), 90, 1);
+  EXPECT_NEAR(along_deg(searched.back().trial.draft.plan), 90, 1);
   EXPECT_NEAR(along_deg(*usual), 0, 1);
 }
 

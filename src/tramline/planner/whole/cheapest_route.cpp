@@ -10,6 +10,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/whole/compared_plans.h"
+#include "tramline/planner/whole/route_alternative.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
 
@@ -201,11 +202,13 @@ class Comparison {
     }
   }
 
-  /// What is best by other prices of tracks, behind the passes of the best plan: the prices of turns are
-  /// those of the quickest ones, of which only routes show what they come to.
+  /// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what
+  /// is best by the usual prices is laid behind the passes of the best plan too.
   void vary_prices() {
-    std::optional<LaidOut> laid = layouts_.searched_by_usual_prices(best().passes);
-    if (laid && !has_such(plans_, laid->trial.draft.plan, best().passes)) improves(std::move(laid));
+    const PassesByBoundary passes = best().passes;
+    const std::optional<Plan> usual = layouts_.best_by_usual_prices(passes);
+    if (usual && !has_such(plans_, *usual, passes))
+      improves(layouts_.laid_out(Alternative::kSearched, *usual, passes));
   }
 
   /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
@@ -344,37 +347,6 @@ class Comparison {
 };
 
 }  // namespace
-
-const char* name(Alternative alternative) {
-  switch (alternative) {
-    case Alternative::kSearched:
-      return "as searched";
-    case Alternative::kLongestSide:
-      return "along the longest side";
-    case Alternative::kLength:
-      return "along the length";
-    case Alternative::kUndivided:
-      return "undivided";
-    case Alternative::kNoHeadland:
-      return "no headland";
-    case Alternative::kAdjacent:
-      return "adjacent order";
-    case Alternative::kRoomForTurns:
-      return "room for turns";
-  }
-  return "";
-}
-
-RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
-  RouteAlternative out;
-  out.kind = kind;
-  for (const Subfield& subfield : plan.subfields) out.directions.push_back(subfield.direction);
-  out.headlands = plan.settings.headlands;
-  out.all_round = plan.settings.headland_edges.empty();
-  out.cost = whole_cost(plan);
-  out.without_room = legs_without_room(plan.route, plan.machine);
-  return out;
-}
 
 bool compares_routes(const PlanSettings& settings) {
   return settings.aim == Aim::kWholeCost && settings.turns == TurnPlanning::kRoute &&

@@ -70,6 +70,11 @@ std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, 
   return lined;
 }
 
+PlanningProblem with_straight_tracks(PlanningProblem problem) {
+  problem.settings.shape = TrackShape::kStraight;
+  return problem;
+}
+
 bool same_land(const PreparedField& a, const PreparedField& b) {
   return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable;
 }
@@ -209,8 +214,7 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
     out.push_back({Alternative::kSearched, {passes, problem, *prepared, {}, std::move(draft)}});
     return out;
   }
-  PlanningProblem straight = problem;
-  straight.settings.shape = TrackShape::kStraight;
+  const PlanningProblem straight = with_straight_tracks(problem);
   const SearchTask task(straight, *prepared);
   SearchResult found = straight_search(task, context_.uncounted());
   if (!found.best.works()) return out;
@@ -228,16 +232,15 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   return out;
 }
 
-std::optional<LaidOut> RouteLayouts::searched_by_usual_prices(const PassesByBoundary& passes) {
+std::optional<Plan> RouteLayouts::best_by_usual_prices(const PassesByBoundary& passes) {
   const Behind& on = behind(passes);
   if (!on.prepared || area(on.prepared->ground.plannable) == 0) return std::nullopt;
-  PlanningProblem usual = on.problem;
+  PlanningProblem usual = with_straight_tracks(on.problem);
   usual.objective = Objective{};
-  usual.settings.shape = TrackShape::kStraight;
   const SearchTask task(usual, *on.prepared);
   const SearchResult found = straight_search(task, context_.uncounted());
   if (!found.best.works()) return std::nullopt;
-  return laid_out_on(on, Alternative::kSearched, drafted(task, found).plan);
+  return drafted(task, found).plan;
 }
 
 std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<LaidOut>& known) const {

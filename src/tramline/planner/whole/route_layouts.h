@@ -65,9 +65,9 @@ class RouteLayouts {
   /// the passes alone where they leave no room for tracks.
   std::vector<LaidOut> searched(const PassesByBoundary& passes);
 
-  /// The tracks behind these passes that cost least by the usual prices of tracks (Objective), laid anew by
-  /// those of the problem; nullopt where no track fits. By the usual prices a turn mostly costs more.
-  std::optional<LaidOut> searched_by_usual_prices(const PassesByBoundary& passes);
+  /// The straight tracks of least cost behind these passes by the usual prices of tracks (Objective) instead
+  /// of those of the problem, by which a turn mostly costs less; nullopt where no track fits.
+  std::optional<Plan> best_by_usual_prices(const PassesByBoundary& passes);
 
   /// The directions and curves of a plan laid anew behind these passes; nullopt where no track fits.
   std::optional<LaidOut> laid_out(Alternative kind, const Plan& like, const PassesByBoundary& passes);
