@@ -108,6 +108,7 @@ class Comparison {
   bool improves(std::size_t i) {
     ComparedPlan& entry = plans_[i];
     if (entry.price || (best_ && context_.has_to_end())) return false;
+    if (is_told_of(entry)) return false;
     const bool may_win = !best_ || (!entry.lacks_room_like_others && least_expected(entry) < least_price());
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
@@ -118,6 +119,16 @@ class Comparison {
     least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, with_room - entry.floor));
     if (*entry.price >= before) return false;
     best_ = i;
+    return true;
+  }
+
+  /// Whether the same tracks have their route already. In another order they are another plan.
+  bool is_told_of(const ComparedPlan& entry) {
+    if (entry.laid.kind == Alternative::kAdjacent) return false;
+    const auto same = same_tracks_priced(plans_, entry);
+    if (!same) return false;
+    if (plans_[*same].laid.kind != entry.laid.kind)
+      all_.push_back(alternative_of(entry.laid.kind, plans_[*same].plan()));
     return true;
   }
 

@@ -1,6 +1,7 @@
 #include "tramline/planner/whole/compared_plans.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -44,6 +45,20 @@ std::vector<std::size_t> first_distinct(const std::vector<std::size_t>& from, st
   return out;
 }
 
+/// The ends of a piece, whichever way it is driven.
+using Ends = std::array<std::pair<double, double>, 2>;
+
+std::vector<Ends> ends_of_pieces(const Plan& plan) {
+  std::vector<Ends> out;
+  for (const TrackPiece& piece : plan.pieces) {
+    Ends ends{{{piece.start.x, piece.start.y}, {piece.end.x, piece.end.y}}};
+    std::ranges::sort(ends);
+    out.push_back(ends);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
 }  // namespace
 
 ComparedPlan compared_plan(LaidOut laid) {
@@ -72,6 +87,18 @@ bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBounda
   return std::any_of(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
     return one.passes() == passes && same_directions(one.plan(), like);
   });
+}
+
+std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan) {
+  const auto same = std::find_if(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
+    // Floors have the paths of pieces and their overlap in them: with equal ends these are equal too.
+    return one.price && one.floor == plan.floor &&
+           one.plan().pieces.size() == plan.plan().pieces.size() &&
+           one.plan().headland.passes == plan.plan().headland.passes &&
+           ends_of_pieces(one.plan()) == ends_of_pieces(plan.plan());
+  });
+  if (same == plans.end()) return std::nullopt;
+  return static_cast<std::size_t>(same - plans.begin());
 }
 
 std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_price) {

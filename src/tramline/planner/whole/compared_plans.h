@@ -40,6 +40,10 @@ bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan);
 /// Whether one of them has these passes and directions.
 bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes);
 
+/// The one that has the same tracks behind the same passes as a plan to be compared, and its price: their
+/// routes would be the same. O(plans, and pieces · log pieces where floors are equal).
+std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan);
+
 /// The few of them in different directions that come near the least price, EUR, the cheapest last: worth
 /// laying anew behind other passes. Indices.
 std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_price);
