@@ -84,6 +84,37 @@ TEST(PlannedRoutes, hold_between_gates) {
   expect_route_holds(field_of(box(0, 0, 200, 100)), machine(6, 6), settings);
 }
 
+/// The bound of the plan holds, and two parts in a hundred more are refused. Returns the plan.
+Plan with_bound_that_holds(Ring outer, const Machine& of) {
+  PlanSettings settings = whole_route(0);
+  settings.boundary = EdgeKind::kHard;
+  Plan plan = plan_field(field_of(std::move(outer)), of, {}, settings);
+  const auto refused = [](const Plan& one) {
+    const std::vector<check::Violation> all = check::verify(one).violations;
+    return std::any_of(all.begin(), all.end(),
+                       [](const check::Violation& v) { return v.rule == check::Rule::kRouteBound; });
+  };
+  EXPECT_FALSE(refused(plan));
+  Plan claims_more = plan;
+  claims_more.route.proof.bound_s *= 1.02;
+  EXPECT_TRUE(refused(claims_more));
+  return plan;
+}
+
+// Where the machine backs out of its tracks the bound knows by how much, and the verifier too.
+TEST(PlannedRoutes, are_bounded_by_the_sides_that_machines_back_from) {
+  const Plan plan = with_bound_that_holds(box(0, 0, 60, 120), machine(6, 6));
+  double time_s = 0;
+  for (const RouteLeg& leg : plan.route.legs) time_s += leg.time_s;
+  EXPECT_GT(plan.route.proof.bound_s, 0.97 * time_s);
+  with_bound_that_holds({{0, 0}, {15, 0}, {17, 90}, {15, 180}, {0, 180}, {2, 90}}, machine(6, 6));
+  Machine with_tractor = machine(6, 5);
+  with_tractor.turning.front_overhang_m = 2;
+  with_tractor.turning.vehicle_width_m = 2.5;
+  with_tractor.turning.implement_offset_m = 1;
+  with_bound_that_holds({{0, 0}, {70, 20}, {70, 80}, {0, 120}}, with_tractor);
+}
+
 /// Two fields of 120 m x 90 m and the lane of 60 m between them.
 Field with_lane(double lane_m) {
   return field_of({{0, 0},

@@ -25,6 +25,7 @@ class AxleLine {
   AxleLine(const Path& path, PathEnds ends);
 
   double length_m() const { return length_m_; }
+  const Path& path() const { return path_; }
   LinePlace place(double at_m) const;
   /// Positions along the path, one for each segment that comes this near to the point.
   std::vector<double> positions_near(Point p, double within_m) const;

@@ -92,8 +92,7 @@ bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBounda
 std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan) {
   const auto same = std::find_if(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
     // Floors have the paths of pieces and their overlap in them: with equal ends these are equal too.
-    return one.price && one.floor == plan.floor &&
-           one.plan().pieces.size() == plan.plan().pieces.size() &&
+    return one.price && one.floor == plan.floor && one.plan().pieces.size() == plan.plan().pieces.size() &&
            one.plan().headland.passes == plan.plan().headland.passes &&
            ends_of_pieces(one.plan()) == ends_of_pieces(plan.plan());
   });

@@ -14,16 +14,26 @@ constexpr double kUnknown_s = -1;
 
 }  // namespace
 
-LeastConnections::LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least)
-    : members_(std::move(members)), least_(least), next_rings_m_(kNextRings_widths * width_m) {
+LeastConnections::LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least,
+                                   std::optional<LeastBacking> backing)
+    : members_(std::move(members)),
+      least_(least),
+      backing_(std::move(backing)),
+      next_rings_m_(kNextRings_widths * width_m) {
   assert(members_.line_phases.size() == lines() && members_.ring_phases.size() == rings());
   std::set<std::size_t> phases;
   for (std::size_t node = 0; node < nodes(); ++node) phases.insert(phase(node));
   if (!phases.empty()) between_phases_s_ = kChange_s * static_cast<double>(phases.size() - 1);
   for (std::size_t end = 0; end < 2 * lines(); ++end) {
-    left_.push_back(pose_left_by(members_.lines[order::line_of(end)], end));
-    entered_.push_back(pose_entered_by(members_.lines[order::line_of(end)], end));
+    const RouteLine& line = members_.lines[order::line_of(end)];
+    left_.push_back(pose_left_by(line, end));
+    entered_.push_back(pose_entered_by(line, end));
+    if (!backing_) continue;
+    exit_left_.push_back(backing_->left(line.left_by(end).last));
+    exit_entered_.push_back(backing_->entered(line.entered_by(end).first));
   }
+  same_both_ways_ =
+      least.lift_m() == least.lower_m() && std::ranges::equal(left_, entered_, {}, &Pose::at, &Pose::at);
   for (std::size_t i = 0; i < rings(); ++i) {
     apart_m_.emplace_back();
     for (std::size_t node = 0; node < nodes(); ++node) apart_m_[i].push_back(distance_to_ring(node, i));
@@ -35,8 +45,13 @@ double LeastConnections::between(std::size_t a, std::size_t b) const {
   if (a > b) return between(b, a);
   if (is_ring(b)) return change_s(a, b) + known_to_ring(a, ring(b));
   if (is_gate(b)) return change_s(a, b) + to_gate(a, b);
-  return change_s(a, b) +
-         std::min(least_.between(left_[a], entered_[b]), least_.between(left_[b], entered_[a]));
+  const double there_s = one_way(a, b);
+  return change_s(a, b) + (same_both_ways_ ? there_s : std::min(there_s, one_way(b, a)));
+}
+
+double LeastConnections::one_way(std::size_t left, std::size_t entered) const {
+  const double least_s = least_.between(left_[left], entered_[entered]);
+  return backing_ ? backing_->between(exit_left_[left], exit_entered_[entered], least_s) : least_s;
 }
 
 double LeastConnections::least(std::size_t a, std::size_t b) const {

@@ -2,8 +2,10 @@
 // The least times between the ends of lines, the gates and the closed passes of a route.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "tramline/route/build/least_backing.h"
 #include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
@@ -34,8 +36,10 @@ struct RouteMembers {
 /// threads.
 class LeastConnections final : public order::ConnectionBounds {
  public:
-  /// `least` outlives the connections.
-  LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least);
+  /// `least` outlives the connections. `backing`: for land whose sides bound ways, by a machine of which it
+  /// holds; else nullopt.
+  LeastConnections(RouteMembers members, double width_m, const LeastSeconds& least,
+                   std::optional<LeastBacking> backing);
 
   std::size_t lines() const override { return members_.lines.size(); }
   std::size_t gates() const override { return members_.gates.size(); }
@@ -49,6 +53,7 @@ class LeastConnections final : public order::ConnectionBounds {
  private:
   std::size_t phase(std::size_t node) const;
   double change_s(std::size_t a, std::size_t b) const;
+  double one_way(std::size_t left, std::size_t entered) const;
   const RouteGate& gate(std::size_t node) const { return members_.gates[node - 2 * lines()]; }
   std::size_t ring(std::size_t node) const { return node - 2 * lines() - gates(); }
   double to_gate(std::size_t end, std::size_t gate) const;
@@ -58,10 +63,15 @@ class LeastConnections final : public order::ConnectionBounds {
 
   RouteMembers members_;
   const LeastSeconds& least_;
+  std::optional<LeastBacking> backing_;
   double next_rings_m_;
   double between_phases_s_ = 0;
-  std::vector<Pose> left_;     ///< by end
-  std::vector<Pose> entered_;  ///< by end
+  std::vector<Pose> left_;       ///< by end
+  std::vector<Pose> entered_;    ///< by end
+  bool same_both_ways_ = false;  ///< what is driven from the end of a way takes as long
+  // The same as LeastBacking knows them, by end, where there is one.
+  std::vector<LineExit> exit_left_;
+  std::vector<LineExit> exit_entered_;
   // By ring and node: from it, m, and the least time, s, once it was asked for.
   std::vector<std::vector<double>> apart_m_;
   mutable std::vector<std::vector<double>> known_s_;

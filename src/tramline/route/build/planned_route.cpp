@@ -147,7 +147,9 @@ class RoutePlanner {
   }
 
   /// Goes a way to a work and over it.
-  void go(const Way& way, const SteeredPath& work) {
+  void go(Way way, const SteeredPath& work) {
+    if (way.has_room() && (way.backs_out || way.backs_in))
+      way = connector_.with_less_backing(way, left_, work);
     if (!way.path.empty()) legs_.add(way);
     left_ = driven_forward(left_, way, work);
     leaves_part_ = false;

@@ -4,11 +4,14 @@
 #include <optional>
 
 #include "tramline/route/axle/axle_path.h"
+#include "tramline/route/build/least_backing.h"
 #include "tramline/route/build/least_connections.h"
 #include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/best_bound.h"
+#include "tramline/route/turning/turning_land.h"
+#include "tramline/turns/outline/outline.h"
 
 namespace tramline {
 namespace {
@@ -32,7 +35,7 @@ Phases phases_of(const std::vector<RouteLeg>& legs, std::size_t pieces, std::siz
   return out;
 }
 
-std::size_t pieces_of(const std::vector<order::WorkedLine>& lines) {
+std::size_t count_pieces(const std::vector<order::WorkedLine>& lines) {
   std::size_t out = 0;
   for (const order::WorkedLine& line : lines) out += line.size();
   return out;
@@ -43,7 +46,7 @@ RouteMembers members_of_proof(const RouteTask& task, const std::vector<order::Wo
                               const order::Tour& tour, const Route& route) {
   const Turning& turning = task.machine.turning;
   const Headland& headland = task.headland;
-  const Phases phases = phases_of(route.legs, pieces_of(lines), headland.passes.size());
+  const Phases phases = phases_of(route.legs, count_pieces(lines), headland.passes.size());
   RouteMembers out;
   std::size_t piece = 0;
   for (const order::End entered : tour) {
@@ -93,6 +96,15 @@ double fixed_seconds(const std::vector<RouteLeg>& legs, const std::vector<order:
   return out;
 }
 
+/// Where all ways have room: a route that leaves the land is not bounded by its sides.
+std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& route) {
+  const std::optional<double> beyond_m = land_beyond_m(task.settings);
+  if (!beyond_m || task.machine.turning.reverse || outline_of(task.machine).tows()) return std::nullopt;
+  for (const RouteLeg& leg : route.legs)
+    if (leg.missing_m > 0) return std::nullopt;
+  return LeastBacking(task.field.outer, *beyond_m, task.machine);
+}
+
 }  // namespace
 
 RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
@@ -102,7 +114,8 @@ RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLin
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   double whole_s = 0;
   for (const RouteLeg& leg : route.legs) whole_s += leg.time_s;
-  const LeastConnections bounds(members_of_proof(task, lines, tour, route), task.machine.width_m, least);
+  const LeastConnections bounds(members_of_proof(task, lines, tour, route), task.machine.width_m, least,
+                                least_backing(task, route));
   if (bounds.lines() + bounds.rings() == 0) {
     out.bound_s = fixed_s;
     return out;

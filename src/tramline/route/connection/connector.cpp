@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/turning/planned_turns.h"
@@ -18,6 +19,10 @@ namespace {
 constexpr std::array kBackSteps = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
 /// Where that leads nowhere it backs farther, by so much more each time and up to so much.
 constexpr double kFarBackStep = 2.0, kFarthestBack = 60.0;
+/// Between the distances that a way was found with and those tried before it may back others so far apart, m,
+/// and so many of them at the most.
+constexpr double kStepBetween_m = 0.5;
+constexpr double kMostBetween = 12;
 /// At a gate the machine may point anywhere; so many headings are tried.
 constexpr int kGateHeadings = 16;
 
@@ -109,6 +114,17 @@ double Connector::backing_s(double back_m) const {
   return terms_.stop_s + 2 * turning.gear_change_s + back_m / turning.reverse_speed_mps;
 }
 
+WayEnd Connector::backed_out(const SteeredPath& left, double back_m) const {
+  const double length_m = length(left);
+  const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
+  return {end_of(back), back, backing_s(back_m)};
+}
+
+WayEnd Connector::backed_in(const SteeredPath& entered, double back_m) const {
+  const SteeredPath back = retraced(part_of(entered, 0, back_m));
+  return {back.front().start, back, backing_s(back_m)};
+}
+
 std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing) const {
   std::vector<WayEnd> out{straight_out(end_of(left))};
   if (ground_.outline().tows()) return out;
@@ -119,8 +135,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing
     const SteeredPath farther = retraced(part_of(left, length_m - back_m, length_m - tried_m));
     if (!ground_.has_room_along(farther)) break;  // swaths may lead over a soft edge, idle machines do not
     tried_m = back_m;
-    const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
-    out.push_back({end_of(back), back, backing_s(back_m)});
+    out.push_back(backed_out(left, back_m));
   }
   return out;
 }
@@ -133,8 +148,7 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backi
   for (const double back_m : backed_m(length(entered), backing)) {
     if (!ground_.has_room_along(retraced(part_of(entered, tried_m, back_m)))) break;
     tried_m = back_m;
-    const SteeredPath back = retraced(part_of(entered, 0, back_m));
-    out.push_back({back.front().start, back, backing_s(back_m)});
+    out.push_back(backed_in(entered, back_m));
   }
   return out;
 }
@@ -218,6 +232,39 @@ std::optional<Connector::WayToOne> Connector::without_or_with_backing(
   if (auto way = searched(ways_out(left, out_of), all.ends, 1, {limit_s, &end}))
     out = {all.of[end], std::move(*way)};
   return out;
+}
+
+std::vector<double> Connector::up_to_m(double back_m, double length_m) const {
+  double before_m = 0;
+  for (const double tried_m : backed_m(length_m, Backing::kFar))
+    if (tried_m < back_m) before_m = tried_m;
+  const double steps = std::clamp(std::ceil((back_m - before_m) / kStepBetween_m), 1.0, kMostBetween);
+  std::vector<double> out;
+  for (double i = 1; i <= steps; ++i) out.push_back(before_m + (back_m - before_m) * i / steps);
+  return out;
+}
+
+Way Connector::with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const {
+  assert(way.has_room());
+  const auto reverse = [](const SteeredStretch& stretch) { return stretch.gear == Gear::kReverse; };
+  const auto out_end = std::ranges::find_if_not(way.path, reverse);
+  const auto in_begin = std::ranges::find_if_not(way.path.rbegin(), way.path.rend(), reverse).base();
+  if (out_end == way.path.end()) return way;  // it never goes forward: it backs as far as it is long
+  std::vector<WayEnd> begins, ends;
+  if (way.backs_out) {
+    for (const double back_m : up_to_m(length(SteeredPath(way.path.begin(), out_end)), length(left)))
+      begins.push_back(backed_out(left, back_m));
+  } else {
+    begins.push_back(straight_out(end_of(left)));
+  }
+  if (way.backs_in) {
+    for (const double back_m : up_to_m(length(SteeredPath(in_begin, way.path.end())), length(entered)))
+      ends.push_back(backed_in(entered, back_m));
+  } else {
+    ends.push_back(straight_in(entered.front().start));
+  }
+  const auto found = searched(begins, ends, way.backs_out ? 0 : 1, {way.cost_s, nullptr});
+  return found ? *found : way;
 }
 
 Connector::WayToOne Connector::to_any(const SteeredPath& left,

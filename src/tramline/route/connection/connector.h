@@ -43,7 +43,12 @@ class Connector {
   };
   WayToOne to_any(const SteeredPath& left, const std::vector<SteeredPath>& entered) const;
 
-  /// The same from a place, with any heading, or to one: at a gate.
+  /// A way of less cost that backs less far out of the one path or into the other, or else the way itself: a
+  /// way is found with a few distances to back, and this one with what lies between two of these.
+  /// Precondition: the way leads from `left` to `entered` and has room.
+  Way with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const;
+
+  /// As between() from a place, with any heading, or to one: at a gate.
   Way from_gate(Point gate, const SteeredPath& entered) const;
   Way to_gate(const SteeredPath& left, Point gate) const;
 
@@ -80,6 +85,10 @@ class Connector {
   double backing_s(double back_m) const;
   std::vector<WayEnd> ways_out(const SteeredPath& left, Backing backing) const;
   std::vector<WayEnd> ways_in(const SteeredPath& entered, Backing backing) const;
+  WayEnd backed_out(const SteeredPath& left, double back_m) const;
+  WayEnd backed_in(const SteeredPath& entered, double back_m) const;
+  /// Distances in even steps from the one tried before `back_m` up to it.
+  std::vector<double> up_to_m(double back_m, double length_m) const;
 
   const DrivingGround& ground_;
   RoadmapOnDemand& roadmap_;

@@ -22,13 +22,19 @@ Region all_round(const Ring& outer, double margin_m) {
 }
 
 Region land_with_obstacles(const Ring& outer, const Machine& machine, const PlanSettings& settings) {
-  if (settings.boundary == EdgeKind::kHard || settings.headlands > 0) return {{outer, {}}};
-  if (settings.turn_room_m >= 0) return buffered({{outer, {}}}, settings.turn_room_m);
-  if (settings.headland_rule == HeadlandRule::kTurns) return {{outer, {}}};
-  return all_round(outer, farthest_turn_m(machine));
+  const std::optional<double> beyond_m = land_beyond_m(settings);
+  if (!beyond_m) return all_round(outer, farthest_turn_m(machine));
+  return *beyond_m > 0 ? buffered({{outer, {}}}, *beyond_m) : Region{{outer, {}}};
 }
 
 }  // namespace
+
+std::optional<double> land_beyond_m(const PlanSettings& settings) {
+  if (settings.boundary == EdgeKind::kHard || settings.headlands > 0) return 0;
+  if (settings.turn_room_m >= 0) return settings.turn_room_m;
+  if (settings.headland_rule == HeadlandRule::kTurns) return 0;
+  return std::nullopt;
+}
 
 Region turning_land(const Field& field, const Machine& machine, const PlanSettings& settings) {
   Region obstacles;

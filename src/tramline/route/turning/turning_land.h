@@ -1,6 +1,8 @@
 #pragma once
 // The land that a machine may turn on.
 
+#include <optional>
+
 #include "tramline/model/plan.h"
 
 namespace tramline {
@@ -10,5 +12,8 @@ namespace tramline {
 /// says or, where that is negative, as far as any manoeuvre leads; not at all where headlands were to be as
 /// deep as turns need, and found no room. Local metres.
 Region turning_land(const Field& field, const Machine& machine, const PlanSettings& settings);
+
+/// How far beyond the boundary that land reaches, m; nullopt: as far as any manoeuvre.
+std::optional<double> land_beyond_m(const PlanSettings& settings);
 
 }  // namespace tramline

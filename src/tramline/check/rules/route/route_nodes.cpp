@@ -20,9 +20,14 @@ constexpr double kNextPasses_widths = 1.5;
 Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
 Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
 
-RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, std::size_t phase) {
+RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, std::size_t phase,
+                   const std::optional<LandSides>& sides) {
   RouteNode out;
   out.phase = phase;
+  if (sides) {
+    out.leaving = sides->leaving(arriving);
+    out.entering = sides->entering(leaving);
+  }
   out.left = {pose_of(arriving.axle(arriving.length_m()))};
   out.entered = {pose_of(leaving.axle(0))};
   return out;
@@ -59,7 +64,7 @@ class WorkPhases {
 
 class Nodes {
  public:
-  explicit Nodes(const Plan& plan) : plan_(plan), phases_(plan) {}
+  explicit Nodes(const Plan& plan) : plan_(plan), phases_(plan) { out_.sides = LandSides::of(plan); }
 
   RouteNodes run() {
     add_pieces();
@@ -92,8 +97,8 @@ class Nodes {
         return WorkedCourse(reversed(centre_line(plan_.pieces[i])), PathEnds::kApart, plan_.machine);
       };
       const std::size_t phase = phases_.of_piece(first);
-      add_member({line_end(back(first), course_of_piece(plan_, first), phase),
-                  line_end(course_of_piece(plan_, next - 1), back(next - 1), phase)});
+      add_member({line_end(back(first), course_of_piece(plan_, first), phase, out_.sides),
+                  line_end(course_of_piece(plan_, next - 1), back(next - 1), phase, out_.sides)});
       for (std::size_t i = first; i + 1 < next; ++i) {
         const WorkedCourse before = course_of_piece(plan_, i);
         out_.crossings_m +=
@@ -106,7 +111,7 @@ class Nodes {
     const WorkedCourse pass = course_of_pass(plan_, i, PassSense::kAlong),
                        back = course_of_pass(plan_, i, PassSense::kAgainst);
     const std::size_t phase = phases_.of_pass(i);
-    add_member({line_end(back, pass, phase), line_end(pass, back, phase)});
+    add_member({line_end(back, pass, phase, out_.sides), line_end(pass, back, phase, out_.sides)});
   }
 
   void add_gate(Point at, std::size_t phase) {
@@ -156,13 +161,14 @@ RouteNodes nodes_of_route(const Plan& plan) {
   return Nodes(plan).run();
 }
 
-LeastWays::LeastWays(const Machine& machine)
+LeastWays::LeastWays(const Machine& machine, std::optional<LandSides> sides)
     : turning_(machine.turning),
       width_m_(machine.width_m),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
       reverses_(turning_.implement != Coupling::kTowed || !(turning_.drawbar_m > 0)),
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
-                             : turning_.turning_speed_mps) {}
+                             : turning_.turning_speed_mps),
+      sides_(std::move(sides)) {}
 
 /// From leaving by one pose to entering by another; `known_s` or more where it is no less.
 double LeastWays::least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m,
@@ -178,23 +184,25 @@ double LeastWays::least_s(const Pose& left, double lift_m, const Pose& entered, 
 }
 
 /// At a closed pass the implement is lifted and lowered anywhere along it.
-double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to) const {
+double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const {
   const double lift_m = from.kind == NodeKind::kClosedPass ? 0 : turning_.lift_m;
   const double lower_m = to.kind == NodeKind::kClosedPass ? 0 : turning_.lower_m;
   double out_s = kNever_s;
   for (const Pose& left : from.left)
     for (const Pose& entered : to.entered)
       out_s = std::min(out_s, least_s(left, lift_m, entered, lower_m, out_s));
-  return out_s;
+  if (!from.leaving || !to.entering) return out_s;
+  return sides_->least_s(*from.leaving, *to.entering, out_s, enough_s);
 }
 
-double LeastWays::between(const RouteNode& a, const RouteNode& b) const {
+double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_s) const {
   const double straight = straight_s(a, b);
   if (a.kind == NodeKind::kGate || b.kind == NodeKind::kGate) return straight;
   const bool both_closed = a.kind == NodeKind::kClosedPass && b.kind == NodeKind::kClosedPass;
   if (both_closed && straight * fastest_mps_ > kNextPasses_widths * width_m_) return straight;
   const double steps_s = (a.step_m + b.step_m) / turning_.turning_speed_mps;
-  return std::max(straight, std::min(one_way_s(a, b), one_way_s(b, a)) - steps_s);
+  const double there_s = one_way_s(a, b, enough_s);
+  return std::max(straight, std::min(there_s, one_way_s(b, a, std::min(there_s, enough_s))) - steps_s);
 }
 
 double LeastWays::straight_s(const RouteNode& a, const RouteNode& b) const {

@@ -2,16 +2,14 @@
 // What a route joins, and the least times of ways between: facts of the rule about its bound.
 
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <vector>
 
+#include "tramline/check/rules/route/land_sides.h"
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
-
-/// The time of a way that there is not.
-inline constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 enum class NodeKind { kLineEnd, kGate, kClosedPass };
 
@@ -22,7 +20,9 @@ struct RouteNode {
   std::size_t phase = 0;      ///< of the route, in which it is worked; of a gate the first or the last
   std::vector<Pose> left;     ///< the axle, where the work ends there
   std::vector<Pose> entered;  ///< where the work begins there
-  double step_m = 0;          ///< from each place of a closed pass to the next; 0: there is one place
+  /// Of a line's end, where the sides of the land bound ways.
+  std::optional<WayEnd> leaving{}, entering{};
+  double step_m = 0;  ///< from each place of a closed pass to the next; 0: there is one place
 };
 
 /// A track, an open pass, a gate, or a closed pass.
@@ -32,6 +32,7 @@ struct RouteMember {
 };
 
 struct RouteNodes {
+  std::optional<LandSides> sides{};
   std::vector<RouteNode> nodes;  ///< in the numbering of RouteProof
   std::vector<RouteMember> members;
   double crossings_m = 0;  ///< straight on over passable obstacles within lines
@@ -43,24 +44,25 @@ RouteNodes nodes_of_route(const Plan& plan);
 /// The least times of ways between nodes, by the machine of a plan.
 class LeastWays {
  public:
-  explicit LeastWays(const Machine& machine);
+  explicit LeastWays(const Machine& machine, std::optional<LandSides> sides);
 
-  /// No way is quicker, in either direction, s. Where one of them is a closed pass, ways from and to its
-  /// places less the steps between these, along which the machine could drive; of closed passes 1.5 widths
-  /// apart or more the straight way alone.
-  double between(const RouteNode& a, const RouteNode& b) const;
+  /// No way is quicker, in either direction, s; where that is `enough_s` or more, to that. Where one of them
+  /// is a closed pass, ways from and to its places less the steps between these, along which the machine
+  /// could drive; of closed passes 1.5 widths apart or more the straight way alone.
+  double between(const RouteNode& a, const RouteNode& b, double enough_s) const;
   /// The straight way: at most as much.
   double straight_s(const RouteNode& a, const RouteNode& b) const;
 
  private:
   double least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
-  double one_way_s(const RouteNode& from, const RouteNode& to) const;
+  double one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const;
 
   Turning turning_;
   double width_m_;
   double radius_m_;
   bool reverses_;
   double fastest_mps_;
+  std::optional<LandSides> sides_;
 };
 
 }  // namespace tramline::check

@@ -22,7 +22,7 @@ class Bound {
       : plan_(plan),
         prices_s_(plan.route.proof.node_prices_s),
         route_(nodes_of_route(plan)),
-        ways_(plan.machine) {}
+        ways_(plan.machine, route_.sides) {}
 
   /// One for each node, none so large that times are lost in it. Written so that NaN is none.
   bool has_prices() const {
@@ -59,7 +59,7 @@ class Bound {
         const double prices_s = prices_s_[a] + prices_s_[b];
         const RouteNode &from = route_.nodes[a], &to = route_.nodes[b];
         if (ways_.straight_s(from, to) + prices_s < known_s)
-          known_s = std::min(known_s, ways_.between(from, to) + prices_s);
+          known_s = std::min(known_s, ways_.between(from, to, known_s - prices_s) + prices_s);
       }
     return known_s;
   }

@@ -1,0 +1,278 @@
+#include "tramline/route/build/least_backing.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "tramline/geometry/polygon/bounding_rectangle.h"
+#include "tramline/model/speeds.h"
+#include "tramline/route/axle/axle_path.h"
+#include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/outline/outline.h"
+
+namespace tramline {
+namespace {
+
+/// An outline that has room may touch the edge of the land; this is more than all tolerances of that, m.
+constexpr double kTouching_m = 0.05;
+/// Lines are followed back as long as they turn by no more than this, as a sine.
+constexpr double kBent = 0.5;
+/// Headings parallel to a side to this sine do not lead to it.
+constexpr double kParallel = 1e-6;
+/// Distances backed are divided down to so much, m.
+constexpr double kLeastDivided_m = 0.05;
+/// Stretches meet without a kink where their headings differ by no more than this sine, and are no sharper
+/// than the machine turns where their radii are no less than its own by more than this share.
+constexpr double kNoKink = 1e-6, kSharper = 1e-6;
+/// A side is far enough where no more than this is lacking, m.
+constexpr double kFarEnough_m = 1e-3;
+
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
+
+Pose backed(const LineExit& exit, double by_m) {
+  return exit.line.empty() ? exit.pose : pose_on(exit.line, by_m);
+}
+
+bool straight(const SteeredStretch& stretch) {
+  return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
+}
+
+double bent(const Pose& pose, Point ahead) {
+  const Point heading = pose.heading.unit();
+  return dot(heading, ahead) > 0 ? std::abs(cross(heading, ahead)) : 1;
+}
+
+/// Where the machine points when it leaves, or would point if it drove the way from its end.
+Point outwards(const LineExit& exit) { return -exit.backing * exit.pose.heading.unit(); }
+
+/// What the sides ask of one end of a way, m.
+struct Needed {
+  std::optional<double> back_m{};  ///< to back there so far at least; nullopt: nothing
+  /// Or to back so far in all, at both ends together, to head for a side all the way.
+  double or_in_all_m = std::numeric_limits<double>::infinity();
+};
+
+/// Where the way heads for a side at its other end too, it need not turn away from it, but then it cannot
+/// lead away from it.
+Needed needed_of(const LineExit& exit, const LineExit& other) {
+  Needed out;
+  for (const NearSide& side : exit.near) {
+    const double towards = dot(outwards(other), side.inwards) + other.bent;
+    if (towards > 0) {
+      const double farther_m = dot(other.pose.at - exit.pose.at, side.inwards);
+      if (farther_m <= 0) continue;
+      const double own_towards = -dot(outwards(exit), side.inwards) + exit.bent;
+      out.or_in_all_m = std::min(out.or_in_all_m, farther_m / std::max(towards, own_towards));
+    }
+    out.back_m = std::max(out.back_m.value_or(0), side.back_m);
+  }
+  return out;
+}
+
+}  // namespace
+
+LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& machine)
+    : turning_(machine.turning), radius_m_(std::max(machine.radius_m, kLeastRadius_m)) {
+  const Outline outline = outline_of(machine);
+  assert(!outline.tows() && !turning_.reverse);
+  double left_m = 0, right_m = 0;
+  reach_m_ = 0;
+  for (const Box& box : outline.on_machine) {
+    left_m = std::max(left_m, box.max_y);
+    right_m = std::max(right_m, -box.min_y);
+    reach_m_ = std::max({reach_m_, std::abs(box.min_x), std::abs(box.max_x)});
+  }
+  aside_m_ = std::min(left_m, right_m);
+  const Ring hull = hull_of(outer);
+  strip_.width_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point next = hull[(i + 1) % hull.size()];
+    const Point along = 1 / distance(hull[i], next) * (next - hull[i]);
+    const Point inwards = left_of(along);
+    sides_.push_back({hull[i] - beyond_m * inwards, inwards});
+    double width_m = 0;
+    for (const Point p : hull) width_m = std::max(width_m, dot(p - hull[i], inwards));
+    if (width_m + 2 * beyond_m < strip_.width_m) strip_ = {along, width_m + 2 * beyond_m};
+  }
+}
+
+double LeastBacking::lacks_m(const Side& side, const Pose& pose, double backing) const {
+  const Point ahead = -backing * pose.heading.unit();
+  if (-dot(ahead, side.inwards) <= kParallel) return 0;
+  const double along = std::abs(cross(ahead, side.inwards));
+  const double needed_m = aside_m_ + radius_m_ * (1 - along) - kTouching_m;
+  return std::max(0.0, needed_m - dot(pose.at - side.at, side.inwards));
+}
+
+/// Far enough along the line, by steps that lead no farther: what is lacking changes by no more than twice
+/// the distance backed, as the side comes nearer or farther and as the line turns.
+double LeastBacking::back_m(const Side& side, const LineExit& exit) const {
+  double begins_m = 0;
+  for (const SteeredStretch& stretch : exit.line) {
+    for (double at_m = 0; at_m < stretch.length_m;) {
+      const Pose pose = pose_after(stretch, at_m);
+      const double lacking_m = lacks_m(side, pose, exit.backing);
+      if (lacking_m <= kFarEnough_m) return begins_m + at_m;
+      const double rate = straight(stretch) ? exit.backing * dot(pose.heading.unit(), side.inwards) : 2;
+      at_m += rate > 0 ? lacking_m / rate : stretch.length_m;
+    }
+    begins_m += stretch.length_m;
+  }
+  return begins_m;
+}
+
+/// What is driven from the exit on, back out of an end or into a beginning.
+LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double straight_on_m) const {
+  LineExit out;
+  out.pose = line.front().start;
+  out.backing = backing;
+  const Point ahead = out.pose.heading.unit();
+  Point before = ahead;
+  for (const SteeredStretch& stretch : line) {
+    const Pose end = end_of(stretch);
+    const double sharpest =
+        std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
+    if (stretch.clothoid() || bent(stretch.start, before) > kNoKink) break;
+    if (sharpest * radius_m_ > 1 + kSharper) break;
+    if (std::max(bent(stretch.start, ahead), bent(end, ahead)) > kBent) break;
+    out.bent = std::max(out.bent, bent(end, ahead));
+    out.line.push_back(stretch);
+    before = end.heading.unit();
+  }
+  out.length_m = length(out.line);
+  const Pose lifted = moved_on(out.pose, -backing * straight_on_m);
+  for (const Side& side : sides_)
+    if (lacks_m(side, lifted, backing) > 0) out.near.push_back({side.inwards, back_m(side, out)});
+  return out;
+}
+
+LineExit LeastBacking::left(const SteeredPath& work) const {
+  assert(!work.empty());
+  return exit_of(retraced(work), -1, turning_.lift_m);
+}
+
+LineExit LeastBacking::entered(const SteeredPath& work) const {
+  assert(!work.empty());
+  return exit_of(work, 1, turning_.lower_m);
+}
+
+/// The least that an outline takes up across a strip and turns by across it, from a heading to the opposite
+/// one, is as if both were as far off the strip as the lines ever are.
+LeastBacking::Along LeastBacking::on_strip(const LineExit& left, const LineExit& entered) const {
+  const Point from = left.pose.heading.unit(), to = entered.pose.heading.unit();
+  const double aslant = std::abs(cross(from, strip_.along)) + left.bent;
+  const double aslant_to = std::abs(cross(to, strip_.along)) + entered.bent;
+  if (std::max(aslant, aslant_to) >= 1) return Along::kFree;
+  const double along = std::sqrt(1 - aslant * aslant) + std::sqrt(1 - aslant_to * aslant_to);
+  const double turning_m = (radius_m_ + aside_m_) * along - reach_m_ * (aslant + aslant_to) - kTouching_m;
+  if (strip_.width_m >= turning_m) return Along::kFree;
+  return (dot(from, strip_.along) > 0) == (dot(to, strip_.along) > 0) ? Along::kSameWay
+                                                                      : Along::kOppositeWays;
+}
+
+double LeastBacking::forward_m(const LineExit& left, const LineExit& entered, const Backed& all, double out_m,
+                               double in_m) const {
+  const double lift_m = all.out ? 0 : turning_.lift_m, lower_m = all.in ? 0 : turning_.lower_m;
+  return lift_m + lower_m +
+         dubins_length(moved_on(backed(left, out_m), lift_m), moved_on(backed(entered, in_m), -lower_m),
+                       radius_m_);
+}
+
+/// Where it backs out and in and goes nowhere between it changes gear once less.
+double LeastBacking::seconds(const Backed& all, double forward_m) const {
+  const bool both = all.out && all.in && forward_m > 0;
+  const int changes = all.out || all.in ? (both ? 4 : 2) : 0;
+  return changes * turning_.gear_change_s + (all.out_from + all.in_from) / turning_.reverse_speed_mps +
+         std::max(0.0, forward_m) / turning_.turning_speed_mps;
+}
+
+double LeastBacking::less_s(double found_s) { return std::max(kDivided_s, kDividedShare * found_s); }
+
+/// By halving the distances backed (branch and bound). From farther back the machine could drive forward to
+/// where it would have been, so the way from there is longer by no more than that.
+double LeastBacking::least_of(const LineExit& left, const LineExit& entered, const Backed& all,
+                              double known_s) const {
+  if (all.out_from > all.out_to || all.in_from > all.in_to) return kNever_s;
+  double least_s = kNever_s;
+  double found_s = std::min(known_s, seconds(all, forward_m(left, entered, all, all.out_from, all.in_from)));
+  const auto in_time = [&](double from_m, double to_m) {
+    return std::min(to_m, from_m + std::max(0.0, found_s - seconds(all, 0)) * turning_.reverse_speed_mps);
+  };
+  std::vector<Backed> open{all};
+  open.back().out_to = in_time(all.out_from, all.out_to);
+  open.back().in_to = in_time(all.in_from, all.in_to);
+  while (!open.empty()) {
+    const Backed part = open.back();
+    open.pop_back();
+    const double out_m = part.out_to - part.out_from, in_m = part.in_to - part.in_from;
+    const double farthest_m = forward_m(left, entered, part, part.out_to, part.in_to);
+    const double at_least_s = seconds(part, farthest_m - out_m - in_m);
+    if (at_least_s >= found_s - less_s(found_s)) continue;
+    if (std::max(out_m, in_m) < kLeastDivided_m) {
+      least_s = std::min(least_s, at_least_s);
+      continue;
+    }
+    Backed near = part, far = part;
+    if (out_m > in_m)
+      near.out_to = far.out_from = part.out_from + 0.5 * out_m;
+    else
+      near.in_to = far.in_from = part.in_from + 0.5 * in_m;
+    const double far_m = forward_m(left, entered, far, far.out_from, far.in_from);
+    found_s = std::min(found_s, seconds(far, far_m));
+    open.push_back(far);
+    open.push_back(near);
+  }
+  return std::min(least_s, found_s - less_s(found_s));
+}
+
+/// How far the beginning lies behind the end along the strip; 0 where it does not.
+double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) const {
+  const bool along = dot(left.pose.heading.unit(), strip_.along) > 0;
+  return std::max(0.0, dot(left.pose.at - entered.pose.at, along ? strip_.along : -1 * strip_.along));
+}
+
+/// Ways that back no farther than the lines are followed.
+double LeastBacking::least_along(const LineExit& left, const LineExit& entered, Along along) const {
+  if (along == Along::kOppositeWays) return kNever_s;
+  const Needed at_left = needed_of(left, entered), at_entered = needed_of(entered, left);
+  const double backed_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
+  double out_s = backing_s(std::min(at_left.or_in_all_m, at_entered.or_in_all_m));
+  for (const bool out : {false, true})
+    for (const bool in : {false, true}) {
+      if ((at_left.back_m && !out) || (at_entered.back_m && !in) || (backed_m > 0 && !out && !in)) continue;
+      Backed all;
+      all.out = out;
+      all.in = in;
+      if (out) all.out_from = at_left.back_m.value_or(0), all.out_to = left.length_m;
+      if (in) all.in_from = at_entered.back_m.value_or(0), all.in_to = entered.length_m;
+      out_s = std::min(out_s, least_of(left, entered, all, out_s));
+    }
+  return backed_m > 0 ? std::max(out_s, backing_s(backed_m)) : out_s;
+}
+
+double LeastBacking::backing_s(double back_m) const {
+  return 2 * turning_.gear_change_s + back_m / turning_.reverse_speed_mps;
+}
+
+/// Ways that back farther along one of them.
+double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
+  const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
+  const double out_s = left.length_m / turning_.reverse_speed_mps +
+                       distance(backed(left, left.length_m).at, entered.pose.at) / fastest_mps;
+  const double in_s = entered.length_m / turning_.reverse_speed_mps +
+                      distance(left.pose.at, backed(entered, entered.length_m).at) / fastest_mps;
+  return 2 * turning_.gear_change_s + std::min(out_s, in_s);
+}
+
+double LeastBacking::between(const LineExit& left, const LineExit& entered, double known_s) const {
+  const Along along = on_strip(left, entered);
+  if (along == Along::kFree && !needed_of(left, entered).back_m && !needed_of(entered, left).back_m)
+    return known_s;
+  const double beyond_s = least_beyond(left, entered);
+  if (beyond_s <= known_s) return known_s;
+  return std::max(known_s, std::min(beyond_s, least_along(left, entered, along)) - kDivided_s);
+}
+
+}  // namespace tramline

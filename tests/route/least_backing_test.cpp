@@ -1,0 +1,226 @@
+// How far machines have to back, against ways tried at random.
+
+#include "tramline/route/build/least_backing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <numbers>
+#include <optional>
+
+#include "properties/draws.h"
+#include "properties/seeds.h"
+#include "tramline/route/axle/axle_path.h"
+#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/connection/way.h"
+#include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+namespace {
+
+using testing::for_each_seed;
+
+Heading towards_deg(double clockwise_from_north) {
+  return Heading::clockwise_from_north(Angle::degrees(clockwise_from_north));
+}
+
+Machine six_metres() {
+  Machine out;
+  out.width_m = out.radius_m = 6;
+  out.turning.turning_speed_mps = 1.5;
+  out.turning.reverse_speed_mps = 1;
+  out.turning.gear_change_s = 2;
+  return out;
+}
+
+Ring rectangle_of(double wide_m, double long_m) {
+  return {{0, 0}, {wide_m, 0}, {wide_m, long_m}, {0, long_m}};
+}
+
+/// Straight north to a place, or south from it.
+SteeredPath north_to(Point at, double length_m) {
+  return {arc_from({at - Point{0, length_m}, towards_deg(0)}, length_m, 0, Gear::kForward)};
+}
+SteeredPath south_from(Point at, double length_m) {
+  return {arc_from({at, towards_deg(180)}, length_m, 0, Gear::kForward)};
+}
+
+double between(const LeastBacking& backing, const SteeredPath& left, const SteeredPath& entered,
+               const Machine& machine) {
+  const double least_s = LeastSeconds(machine).forward(end_of(left), entered.front().start);
+  return backing.between(backing.left(left), backing.entered(entered), least_s);
+}
+
+// At the edge straight ahead a machine has to be r + w/2 = 9 m from it to turn aside, less the 5 cm to which
+// room is known; so much it backs out of the one track and into the other, changes gear four times, and goes
+// by half a circle of 6 m between.
+TEST(LeastBacking, AtTheEdgeIsFarEnoughToTurn) {
+  const Machine machine = six_metres();
+  const LeastBacking backing(rectangle_of(100, 200), 0, machine);
+  const double found_s = between(backing, north_to({40, 200}, 150), south_from({52, 200}, 150), machine);
+  const double least_s = 2 * 8.95 / 1 + 4 * 2 + 6 * std::numbers::pi / 1.5;
+  EXPECT_LE(found_s, least_s);
+  EXPECT_GE(found_s, least_s - 0.3);
+  // Land beyond the boundary leaves room; by 9 m all of it.
+  const LeastBacking beyond(rectangle_of(100, 200), 4, machine),
+      far_beyond(rectangle_of(100, 200), 9, machine);
+  EXPECT_NEAR(between(beyond, north_to({40, 200}, 150), south_from({52, 200}, 150), machine), found_s - 8,
+              0.2);
+  EXPECT_DOUBLE_EQ(between(far_beyond, north_to({40, 200}, 150), south_from({52, 200}, 150), machine),
+                   6 * std::numbers::pi / 1.5);
+}
+
+// Where the edge is at 60° to the track, r (1 − cos 60°) + w/2 = 6 m from it are enough, which is 6.93 m
+// along the track.
+TEST(LeastBacking, AtAnObliqueEdgeIsLess) {
+  const Machine machine = six_metres();
+  const double slope = std::tan(30 * std::numbers::pi / 180);
+  const Ring field{{0, 0}, {100, 0}, {100, 200 + 100 * slope}, {0, 200}};
+  const LeastBacking backing(field, 0, machine);
+  const double at_edge_m = 200 + 40 * slope;
+  const LineExit exit = backing.left(north_to({40, at_edge_m}, 150));
+  ASSERT_EQ(exit.near.size(), 1U);
+  EXPECT_NEAR(exit.near.front().back_m, (6 - 0.05) / std::cos(30 * std::numbers::pi / 180), 2e-3);
+}
+
+// Between edges 15 m apart no machine turns round that takes up 6 m and turns by 12 m: it backs all along the
+// one track, or drives on to its end and backs into the other.
+TEST(LeastBacking, OnAStripIsAllAlongIt) {
+  const Machine machine = six_metres();
+  const SteeredPath left = north_to({3, 300}, 300), entered = south_from({12, 300}, 300);
+  const double strip_s = between(LeastBacking(rectangle_of(15, 300), 0, machine), left, entered, machine);
+  EXPECT_GE(strip_s, 300);
+  const double wide_s = between(LeastBacking(rectangle_of(18.2, 300), 0, machine), left, entered, machine);
+  EXPECT_LT(wide_s, 60);
+  // The other way along it goes back to where the second track begins.
+  const SteeredPath north = north_to({12, 300}, 300);
+  EXPECT_GE(between(LeastBacking(rectangle_of(15, 300), 0, machine), left, north, machine), 300);
+}
+
+struct Line {
+  SteeredPath driven;
+  bool bent = false;
+};
+
+/// A field that is often narrow, with four sides or five.
+Ring random_field_of_sides(std::mt19937_64& random) {
+  const double wide_m = uniform(random, 9, 60), long_m = uniform(random, 40, 120);
+  Ring out = rectangle_of(wide_m, long_m);
+  for (Point& corner : out) corner = corner + Point{uniform(random, -2, 2), uniform(random, -15, 15)};
+  if (any_of(random, 0, 1) == 1)
+    out.insert(out.begin() + 3, 0.5 * (out[2] + out[3]) + Point{0, uniform(random, 1, 10)});
+  return out;
+}
+
+/// A line to where the outline meets the edge of the land ahead, straight or bent behind the last metres.
+std::optional<Line> random_line(const Ring& field, const AllowedLand& land, const Machine& machine,
+                                std::mt19937_64& random) {
+  const Box box = bounds(field);
+  const Outline outline = outline_of(machine);
+  Pose pose{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},
+            towards_deg(any_of(random, 0, 1) * 180 + uniform(random, -30, 30) * any_of(random, 0, 1))};
+  if (!land.holds(pose, outline)) return std::nullopt;
+  const double short_m = any_of(random, 0, 2) * uniform(random, 0, 6);
+  while (land.holds(moved_on(pose, 0.2 + short_m), outline)) pose = moved_on(pose, 0.2);
+  Line out;
+  out.bent = any_of(random, 0, 2) == 0;
+  SteeredPath back;
+  const double straight_m = uniform(random, 1, 60);
+  if (out.bent) {
+    back.push_back(arc_from(pose, uniform(random, 0, 8), 0, Gear::kReverse));
+    const double radius_m = machine.radius_m * uniform(random, 1, 4);
+    back.push_back(arc_from(end_of(back), uniform(random, 0, 0.7) * radius_m,
+                            (any_of(random, 0, 1) == 0 ? 1 : -1) / radius_m, Gear::kReverse));
+  }
+  back.push_back(arc_from(back.empty() ? pose : end_of(back), straight_m, 0, Gear::kReverse));
+  out.driven = retraced(back);
+  return out;
+}
+
+Machine random_machine_that_backs(std::mt19937_64& random) {
+  Machine out;
+  out.width_m = uniform(random, 2, 10);
+  out.radius_m = uniform(random, 3, 9);
+  out.turning.lift_m = any_of(random, 0, 1) * uniform(random, 0, 3);
+  out.turning.lower_m = any_of(random, 0, 1) * uniform(random, 0, 3);
+  out.turning.reverse_speed_mps = uniform(random, 0.5, 2);
+  out.turning.gear_change_s = uniform(random, 0, 3);
+  if (any_of(random, 0, 2) > 0) return out;
+  out.turning.front_overhang_m = uniform(random, 0, 3);
+  out.turning.vehicle_width_m = 2;
+  out.turning.implement_offset_m = uniform(random, -2, 2);
+  return out;
+}
+
+/// The quickest of ways tried at random, if one has room: out of the one line and into the other from any
+/// distance along them, by words of Dubins, straight or over another pose.
+std::optional<double> quickest_tried_s(const SteeredPath& left, const SteeredPath& entered, const Ring& field,
+                                       const AllowedLand& land, const Machine& machine,
+                                       std::mt19937_64& random) {
+  const Outline outline = outline_of(machine);
+  const Turning& turning = machine.turning;
+  const Box box = bounds(field);
+  std::optional<double> out_s;
+  for (int i = 0; i < 400; ++i) {
+    const double out_m = any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(left));
+    const double in_m = any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(entered));
+    SteeredPath begin = out_m > 0 ? retraced(part_of(left, length(left) - out_m, length(left)))
+                                  : SteeredPath{arc_from(end_of(left), turning.lift_m, 0, Gear::kForward)};
+    const Pose before = moved_on(entered.front().start, -turning.lower_m);
+    const SteeredPath end = in_m > 0 ? retraced(part_of(entered, 0, in_m))
+                                     : SteeredPath{arc_from(before, turning.lower_m, 0, Gear::kForward)};
+    const Pose from = end_of(begin), to = end.front().start;
+    const Pose over{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},
+                    towards_deg(uniform(random, 0, 360))};
+    const bool straight = any_of(random, 0, 2) == 0;
+    for (const Manoeuvre& first : dubins_words(from, straight ? to : over, machine.radius_m)) {
+      SteeredPath path = begin;
+      path.insert(path.end(), first.path.begin(), first.path.end());
+      if (!straight) {
+        if (!land.fits(path, outline)) continue;
+        const Manoeuvre second = shortest_dubins(over, to, machine.radius_m);
+        path.insert(path.end(), second.path.begin(), second.path.end());
+      }
+      path.insert(path.end(), end.begin(), end.end());
+      if (land.fits(path, outline)) out_s = std::min(out_s.value_or(1e9), idle_seconds(path, turning));
+    }
+  }
+  return out_s;
+}
+
+TEST(LeastBacking, IsNoMoreThanAnyWayTried) {
+  int compared = 0, bounded = 0, bent = 0, near = 0;
+  for_each_seed(1500, [&](std::mt19937_64& random, int) {
+    const Machine machine = random_machine_that_backs(random);
+    const Ring field = random_field_of_sides(random);
+    const AllowedLand land({{field, {}}});
+    const auto left = random_line(field, land, machine, random),
+               entered = random_line(field, land, machine, random);
+    if (!left || !entered) return;
+    // A line that is entered is one that is left, driven from its end.
+    const SteeredPath back = turned_round(entered->driven);
+    const LeastBacking backing(field, 0, machine);
+    const double least_s = LeastSeconds(machine).between(end_of(left->driven), back.front().start);
+    const double found_s = backing.between(backing.left(left->driven), backing.entered(back), least_s);
+    EXPECT_GE(found_s, least_s);
+    if (found_s > least_s) ++bounded;
+    if (found_s == least_s) return;
+    const auto tried_s = quickest_tried_s(left->driven, back, field, land, machine, random);
+    if (!tried_s) return;
+    ++compared;
+    if (left->bent || entered->bent) ++bent;
+    EXPECT_LE(found_s, *tried_s);
+    if (*tried_s < 1.1 * found_s) ++near;
+  });
+  std::cout << bounded << " bounded by the sides, " << compared << " compared (" << bent << " bent), " << near
+            << " ways within a tenth of their bound\n";
+  if (testing::case_count(1500) < 1500) return;
+  EXPECT_GT(compared, 100);
+  EXPECT_GT(bent, 30);
+  EXPECT_GT(near, 10);
+}
+
+}  // namespace
+}  // namespace tramline
