@@ -306,6 +306,19 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
   return out;
 }
 
+/// Straight tracks by the usual prices of tracks, with the headlands that their turns need.
+Plan by_usual_prices(PlanningProblem problem, const SearchContext& context) {
+  const Objective prices = std::exchange(problem.objective, Objective{});
+  const TrackShape shape = problem.settings.shape;
+  Plan out = planned_with_headlands_for_turns(with_shape(std::move(problem), TrackShape::kStraight),
+                                              Decides::kCostOfTracks, context)
+                 .plan;
+  out.objective = prices;
+  out.cost = cost(prices, out.tally);
+  out.settings.shape = shape;
+  return out;
+}
+
 ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
   // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
@@ -313,11 +326,11 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
   const std::vector<Plan> layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
   const SearchContext comparing = context.for_part(kLaidOut, 1);
   if (layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
-  const auto room_for_turns = [&] {
+  const auto room_for_turns = [&](LayoutBy prices) {
     const SearchContext deepening = comparing.uncounted().without_bound();
-    return headlands_follow_turns(problem.settings)
-               ? with_headlands_for_turns(problem, layouts.back(), deepening)
-               : searched(problem, deepening, Explain::kNo).plan;
+    if (!headlands_follow_turns(problem.settings)) return searched(problem, deepening, Explain::kNo).plan;
+    if (prices == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
+    return by_usual_prices(problem, comparing.uncounted());
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
   ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);

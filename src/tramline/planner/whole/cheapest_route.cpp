@@ -309,11 +309,20 @@ class Comparison {
   /// The plan with headlands deepened where turns lack room, if that costs less. Where there is no other plan
   /// its error is thrown.
   std::optional<Plan> with_room(const RoomForTurns& room_for_turns) {
+    std::optional<Plan> out = cheaper_with_room(room_for_turns, LayoutBy::kTurns, least_price());
+    const bool few_tracks = best_ && best().draft.plan.pieces.size() <= kFewTracks;
+    if (!few_tracks || context_.has_to_end()) return out;
+    const double least = out ? whole_cost(*out).euros() : least_price();
+    std::optional<Plan> other = cheaper_with_room(room_for_turns, LayoutBy::kUsualPrices, least);
+    return other ? std::move(other) : std::move(out);
+  }
+
+  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy prices, double least) {
     try {
-      Plan plan = room_for_turns();
+      Plan plan = room_for_turns(prices);
       if (!plan.route.planned()) return plan;
       all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
-      if (all_.back().cost.euros() < least_price()) return plan;
+      if (all_.back().cost.euros() < least) return plan;
     } catch (const Error& error) {
       if (!best_ || error.kind() != ErrorKind::kBadInput) throw;
     }

@@ -24,8 +24,10 @@ struct ComparedRoutes {
 /// All plans that are compared, or those that may be the cheapest.
 enum class Compare { kWhatMayWin, kAll };
 
-/// The plan with headlands as the turns of the problem need them, wherever tracks end.
-using RoomForTurns = std::function<Plan()>;
+/// The plan with headlands as the turns of the problem need them, wherever tracks end: of the layout of least
+/// cost by the prices of its turns (track_prices()), or by the usual prices of tracks (Objective).
+enum class LayoutBy { kTurns, kUsualPrices };
+using RoomForTurns = std::function<Plan(LayoutBy)>;
 
 /// Compares plans by what their whole routes cost (whole_cost()):
 /// the tracks of `layouts`, those of least cost behind the headlands, also by the usual prices of tracks, and
@@ -34,7 +36,8 @@ using RoomForTurns = std::function<Plan()>;
 /// that costs less; or only where tracks of a layout end. Obstacles have their headlands if that costs less.
 /// Routes are planned in the order of route_floor(), and not at all where they cannot be expected to cost
 /// less than the cheapest so far, except to compare all. If the cheapest has legs without room or backs out
-/// often, the plan of `room_for_turns` is compared as well. The first among equals is taken. Deterministic
+/// often, the plan of `room_for_turns` is compared as well, and where there are few tracks that by usual
+/// prices. The first among equals is taken. Deterministic
 /// for any number of threads. `layouts`: subfields and pieces, without the headlands that follow from turns;
 /// the first one, which is straight, says how many passes obstacles need. Not empty. Throws kBadInput where
 /// no plan has a track. Precondition: compares_routes().
