@@ -76,14 +76,14 @@ void expect_bounds(double said_s, double quickest_s, double most_less_s) {
   EXPECT_GE(said_s, quickest_s - most_less_s - 1e-9);
 }
 
-TEST(RingPlaces, AreAMetreApartOrFiveHundred) {
+TEST(RingPlaces, AreHalfAMetreApartOrAThousand) {
   // 2·(30 + 20) + 2·π·5 = 131.4 m; 2·(400 + 300) + 31.4 = 1431.4 m.
   const RingPlaces small = ring_places(rounded_rectangle(30, 20, 5), {}),
                    large = ring_places(rounded_rectangle(400, 300, 5), {});
-  EXPECT_EQ(small.senses[0].size(), 132U);
-  EXPECT_EQ(small.senses[1].size(), 132U);
-  EXPECT_NEAR(small.step_m, (100 + 10 * std::numbers::pi) / 132, 1e-9);
-  EXPECT_EQ(large.senses[0].size(), 500U);
+  EXPECT_EQ(small.senses[0].size(), 263U);
+  EXPECT_EQ(small.senses[1].size(), 263U);
+  EXPECT_NEAR(small.step_m, (100 + 10 * std::numbers::pi) / 263, 1e-9);
+  EXPECT_EQ(large.senses[0].size(), 1000U);
 }
 
 TEST(RingPlaces, AreReachedAndLeftNoSoonerThanAllPlacesCloseTogether) {
@@ -101,10 +101,11 @@ TEST(RingPlaces, AreReachedAndLeftNoSoonerThanAllPlacesCloseTogether) {
       apart_m = std::min(apart_m, distance(place.at, end.at));
     }
     // A place is a step from the next: less by the step, and by what it would take to drive on to there.
+    // Distances are to every other place.
     const double step_s = ring.step_m / machine.turning.turning_speed_mps;
     expect_bounds(least_from_ring(ring, end, least), from_s, 2 * step_s);
     expect_bounds(least_to_ring(end, ring, least), to_s, 2 * step_s);
-    expect_bounds(least_distance_m(ring, end.at), apart_m, 1.5 * ring.step_m);
+    expect_bounds(least_distance_m(ring, end.at), apart_m, 1.5 * (2 * ring.step_m));
   });
 }
 
@@ -128,7 +129,7 @@ TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
     const double steps_s = (from.step_m + to.step_m) / machine.turning.turning_speed_mps;
     expect_bounds(least_between_rings(from, to, least), quickest_s, 2 * steps_s);
     EXPECT_DOUBLE_EQ(least_between_rings(to, from, least), least_between_rings(from, to, least));
-    expect_bounds(least_distance_m(from, to), apart, from.step_m + 1.5 * to.step_m);
+    expect_bounds(least_distance_m(from, to), apart, 2 * (from.step_m + 1.5 * to.step_m));
   });
 }
 

@@ -10,6 +10,7 @@
 #include "tramline/model/speeds.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/manoeuvres/reeds_shepp.h"
 #include "tramline/turns/outline/outline.h"
 
 namespace tramline {
@@ -181,10 +182,10 @@ double LeastBacking::forward_m(const LineExit& left, const LineExit& entered, co
 }
 
 /// Where it backs out and in and goes nowhere between it changes gear once less.
-double LeastBacking::seconds(const Backed& all, double forward_m) const {
+double LeastBacking::seconds(const Backed& all, double back_m, double forward_m) const {
   const bool both = all.out && all.in && forward_m > 0;
   const int changes = all.out || all.in ? (both ? 4 : 2) : 0;
-  return changes * turning_.gear_change_s + (all.out_from + all.in_from) / turning_.reverse_speed_mps +
+  return changes * turning_.gear_change_s + std::max(back_m, all.in_all) / turning_.reverse_speed_mps +
          std::max(0.0, forward_m) / turning_.turning_speed_mps;
 }
 
@@ -192,23 +193,29 @@ double LeastBacking::less_s(double found_s) { return std::max(kDivided_s, kDivid
 
 /// By halving the distances backed (branch and bound). From farther back the machine could drive forward to
 /// where it would have been, so the way from there is longer by no more than that.
-double LeastBacking::least_of(const LineExit& left, const LineExit& entered, const Backed& all,
+double LeastBacking::least_of(const LineExit& left, const LineExit& entered, Backed all,
                               double known_s) const {
   if (all.out_from > all.out_to || all.in_from > all.in_to) return kNever_s;
-  double least_s = kNever_s;
-  double found_s = std::min(known_s, seconds(all, forward_m(left, entered, all, all.out_from, all.in_from)));
-  const auto in_time = [&](double from_m, double to_m) {
-    return std::min(to_m, from_m + std::max(0.0, found_s - seconds(all, 0)) * turning_.reverse_speed_mps);
+  double least_s = kNever_s, found_s = known_s + less_s(known_s);
+  const auto try_at = [&](const Backed& part, double out_m, double in_m) {
+    if (out_m + in_m < all.in_all) return;
+    found_s = std::min(found_s, seconds(part, out_m + in_m, forward_m(left, entered, part, out_m, in_m)));
   };
+  const double least_in_all_m = std::max(all.in_all, all.out_from + all.in_from);
+  const double out_first_m = std::min(all.out_to, least_in_all_m - all.in_from);
+  if (least_in_all_m - out_first_m > all.in_to) return kNever_s;
+  try_at(all, out_first_m, least_in_all_m - out_first_m);
+  const double more_m = std::max(0.0, found_s - seconds(all, least_in_all_m, 0)) * turning_.reverse_speed_mps;
+  all.out_to = std::min(all.out_to, least_in_all_m - all.in_from + more_m);
+  all.in_to = std::min(all.in_to, least_in_all_m - all.out_from + more_m);
   std::vector<Backed> open{all};
-  open.back().out_to = in_time(all.out_from, all.out_to);
-  open.back().in_to = in_time(all.in_from, all.in_to);
   while (!open.empty()) {
     const Backed part = open.back();
     open.pop_back();
+    if (part.out_to + part.in_to < part.in_all) continue;
     const double out_m = part.out_to - part.out_from, in_m = part.in_to - part.in_from;
     const double farthest_m = forward_m(left, entered, part, part.out_to, part.in_to);
-    const double at_least_s = seconds(part, farthest_m - out_m - in_m);
+    const double at_least_s = seconds(part, part.out_from + part.in_from, farthest_m - out_m - in_m);
     if (at_least_s >= found_s - less_s(found_s)) continue;
     if (std::max(out_m, in_m) < kLeastDivided_m) {
       least_s = std::min(least_s, at_least_s);
@@ -219,8 +226,7 @@ double LeastBacking::least_of(const LineExit& left, const LineExit& entered, con
       near.out_to = far.out_from = part.out_from + 0.5 * out_m;
     else
       near.in_to = far.in_from = part.in_from + 0.5 * in_m;
-    const double far_m = forward_m(left, entered, far, far.out_from, far.in_from);
-    found_s = std::min(found_s, seconds(far, far_m));
+    try_at(far, far.out_from, far.in_from);
     open.push_back(far);
     open.push_back(near);
   }
@@ -237,32 +243,41 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
 double LeastBacking::least_along(const LineExit& left, const LineExit& entered, Along along) const {
   if (along == Along::kOppositeWays) return kNever_s;
   const Needed at_left = needed_of(left, entered), at_entered = needed_of(entered, left);
-  const double backed_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
-  double out_s = backing_s(std::min(at_left.or_in_all_m, at_entered.or_in_all_m));
+  const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
+  const double turning_s =
+      least_of_all(left, entered, {at_left.back_m, at_entered.back_m, in_all_m}, kNever_s);
+  const double or_in_all_m = std::min(at_left.or_in_all_m, at_entered.or_in_all_m);
+  if (or_in_all_m == kNever_s) return turning_s;
+  return least_of_all(left, entered, {{}, {}, std::max(in_all_m, or_in_all_m)}, turning_s);
+}
+
+/// Backing out or in or both, as the land asks for; `known_s` where none of these takes less.
+double LeastBacking::least_of_all(const LineExit& left, const LineExit& entered, const Asked& asked,
+                                  double known_s) const {
   for (const bool out : {false, true})
     for (const bool in : {false, true}) {
-      if ((at_left.back_m && !out) || (at_entered.back_m && !in) || (backed_m > 0 && !out && !in)) continue;
+      if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
       Backed all;
       all.out = out;
       all.in = in;
-      if (out) all.out_from = at_left.back_m.value_or(0), all.out_to = left.length_m;
-      if (in) all.in_from = at_entered.back_m.value_or(0), all.in_to = entered.length_m;
-      out_s = std::min(out_s, least_of(left, entered, all, out_s));
+      all.in_all = asked.in_all_m;
+      if (out) all.out_from = asked.out_m.value_or(0), all.out_to = left.length_m;
+      if (in) all.in_from = asked.in_m.value_or(0), all.in_to = entered.length_m;
+      known_s = std::min(known_s, least_of(left, entered, all, known_s));
     }
-  return backed_m > 0 ? std::max(out_s, backing_s(backed_m)) : out_s;
+  return known_s;
 }
 
-double LeastBacking::backing_s(double back_m) const {
-  return 2 * turning_.gear_change_s + back_m / turning_.reverse_speed_mps;
-}
-
-/// Ways that back farther along one of them.
+/// Ways that back farther along one of them, by whatever way from there.
 double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
   const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
-  const double out_s = left.length_m / turning_.reverse_speed_mps +
-                       distance(backed(left, left.length_m).at, entered.pose.at) / fastest_mps;
-  const double in_s = entered.length_m / turning_.reverse_speed_mps +
-                      distance(left.pose.at, backed(entered, entered.length_m).at) / fastest_mps;
+  const auto rest_s = [&](const Pose& from, const Pose& to) {
+    return reeds_shepp_length(from, to, radius_m_) / fastest_mps;
+  };
+  const double out_s =
+      left.length_m / turning_.reverse_speed_mps + rest_s(backed(left, left.length_m), entered.pose);
+  const double in_s =
+      entered.length_m / turning_.reverse_speed_mps + rest_s(left.pose, backed(entered, entered.length_m));
   return 2 * turning_.gear_change_s + std::min(out_s, in_s);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // How far a machine has to back where the sides of the field leave it no way forward.
 
+#include <optional>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -67,15 +68,22 @@ class LeastBacking {
   /// Distances backed in a region, m: the least and the farthest, of both ends.
   struct Backed {
     double out_from = 0, out_to = 0, in_from = 0, in_to = 0;
+    double in_all = 0;  ///< both together at least
     bool out = false, in = false;
   };
-  double seconds(const Backed& all, double forward_m) const;
+  double seconds(const Backed& all, double back_m, double forward_m) const;
   double forward_m(const LineExit& left, const LineExit& entered, const Backed& all, double out_m,
                    double in_m) const;
   double lacking_m(const LineExit& left, const LineExit& entered) const;
-  double backing_s(double back_m) const;
   static double less_s(double found_s);
-  double least_of(const LineExit& left, const LineExit& entered, const Backed& all, double known_s) const;
+  double least_of(const LineExit& left, const LineExit& entered, Backed all, double known_s) const;
+  /// Distances to be backed, m: out, in, and both together.
+  struct Asked {
+    std::optional<double> out_m{}, in_m{};
+    double in_all_m = 0;
+  };
+  double least_of_all(const LineExit& left, const LineExit& entered, const Asked& asked,
+                      double known_s) const;
   double least_along(const LineExit& left, const LineExit& entered, Along along) const;
   double least_beyond(const LineExit& left, const LineExit& entered) const;
 

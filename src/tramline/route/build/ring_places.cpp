@@ -10,8 +10,8 @@
 namespace tramline {
 namespace {
 
-constexpr double kMostPlaces = 500;
-/// Lengths that are whole metres but for rounding have as many places as metres.
+constexpr double kMostPlaces = 1000, kPerMetre = 2;
+/// Lengths that are whole metres but for rounding have places for these alone.
 constexpr double kRounding_m = 1e-3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -44,6 +44,20 @@ std::size_t nearest_place(std::size_t places, double most_fall, Crude crude) {
   }
   return best;
 }
+
+/// Every other place of a ring: near enough for distances, of which there are many.
+struct EveryOther {
+  explicit EveryOther(const RingPlaces& of)
+      : ring(of),
+        count((of.senses[0].size() + each - 1) / each),
+        step_m(static_cast<double>(each) * of.step_m) {}
+  Point place(std::size_t i) const { return ring.senses[0][i * each].at; }
+
+  static constexpr std::size_t each = 2;
+  const RingPlaces& ring;
+  std::size_t count;
+  double step_m;
+};
 
 double fall_s(const RingPlaces& ring, const LeastSeconds& least) {
   return ring.step_m / least.turning_speed_mps();
@@ -79,7 +93,7 @@ RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
   assert(is_closed(pass));
   RingPlaces out;
   const double length_m = length(pass.path);
-  const double places = std::clamp(std::ceil(length_m - kRounding_m), 1.0, kMostPlaces);
+  const double places = std::clamp(std::ceil(kPerMetre * (length_m - kRounding_m)), 1.0, kMostPlaces);
   for (const PassEntry& entry : entries_of(pass, length_m / (places - 0.5), turning))
     out.senses[entry.sense == Sense::kAlong ? 0 : 1].push_back(entry.entered);
   out.step_m = length_m / places;
@@ -119,19 +133,19 @@ double least_between_rings(const RingPlaces& one, const RingPlaces& other, const
 }
 
 double least_distance_m(const RingPlaces& ring, Point p) {
-  const std::vector<Pose>& places = ring.senses[0];
-  const auto from_p = [&](std::size_t i) { return distance(p, places[i].at); };
-  const double least_m = least_of_places(places.size(), ring.step_m, kFar, from_p,
+  const EveryOther some(ring);
+  const auto from_p = [&](std::size_t i) { return distance(p, some.place(i)); };
+  const double least_m = least_of_places(some.count, some.step_m, kFar, from_p,
                                          [&](std::size_t i, double) { return from_p(i); });
-  return std::max(0.0, least_m - ring.step_m);
+  return std::max(0.0, least_m - some.step_m);
 }
 
 double least_distance_m(const RingPlaces& one, const RingPlaces& other) {
-  const std::vector<Pose>& places = one.senses[0];
-  const auto from_place = [&](std::size_t i) { return least_distance_m(other, places[i].at); };
-  const double least_m = least_of_places(places.size(), one.step_m, kFar, from_place,
+  const EveryOther some(one);
+  const auto from_place = [&](std::size_t i) { return least_distance_m(other, some.place(i)); };
+  const double least_m = least_of_places(some.count, some.step_m, kFar, from_place,
                                          [&](std::size_t i, double) { return from_place(i); });
-  return std::max(0.0, least_m - one.step_m);
+  return std::max(0.0, least_m - some.step_m);
 }
 
 }  // namespace tramline

@@ -11,8 +11,8 @@
 
 namespace tramline {
 
-/// Places of the axle on a closed pass, at equal distances along it: a metre at most, of long passes as many
-/// metres as there are for 500 places.
+/// Places of the axle on a closed pass, at equal distances along it: half a metre at most, or as much more as
+/// 1000 places of a long pass are apart.
 struct RingPlaces {
   std::array<std::vector<Pose>, 2> senses;  ///< in driving order, each way round
   double step_m = 0;                        ///< from each to the next

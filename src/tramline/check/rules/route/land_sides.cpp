@@ -76,6 +76,7 @@ struct Distances {
 struct Box2 {
   Distances least, most;
   bool out = false, in = false;
+  double together_m = 0;  ///< both at least
   double at_least_s = 0;
 };
 struct Later {
@@ -226,12 +227,12 @@ LandSides::InBand LandSides::in_band(const WayEnd& from, const WayEnd& to) const
   return (begins > 0) == (ends > 0) ? InBand::kOnward : InBand::kNever;
 }
 
-/// Ways that back farther than a line is followed.
+/// Ways that back farther than a line is followed: from there any way, with any changes of gear.
 double LandSides::farther_s(const WayEnd& from, const WayEnd& to) const {
   const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
     return end.follows_m / turning_.reverse_speed_mps +
-           distance(end.backed(end.follows_m).at, other.at.at) / fastest_mps;
+           least_with_reversing_m(end.backed(end.follows_m), other.at, radius_m_) / fastest_mps;
   };
   return 2 * turning_.gear_change_s + std::min(beyond_s(from, to), beyond_s(to, from));
 }
@@ -240,9 +241,6 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
   const InBand band = in_band(from, to);
   if (band == InBand::kNever) return kNever_s;
   const Asked of_from = asked(from, to), of_to = asked(to, from);
-  const auto backing_s = [&](double back_m) {
-    return 2 * turning_.gear_change_s + back_m / turning_.reverse_speed_mps;
-  };
   double back_m = 0;
   if (band == InBand::kOnward) {
     const double sense = dot(from.off, band_) > 0 ? 1 : -1;
@@ -256,28 +254,39 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
   };
   const auto seconds = [&](const Box2& box, const Distances& at, double ahead_m) {
     const int changes = box.out && box.in && ahead_m > 0 ? 4 : box.out || box.in ? 2 : 0;
-    return changes * turning_.gear_change_s + (at.out_m + at.in_m) / turning_.reverse_speed_mps +
+    return changes * turning_.gear_change_s +
+           std::max(at.out_m + at.in_m, box.together_m) / turning_.reverse_speed_mps +
            std::max(0.0, ahead_m) / turning_.turning_speed_mps;
   };
   std::priority_queue<Box2, std::vector<Box2>, Later> open;
   double found_s = kNever_s;
   // Where it backed less far, the machine could come forward to from farther back.
   const auto push = [&](Box2 box) {
+    if (box.most.out_m + box.most.in_m < box.together_m) return;
     const double spans_m = box.most.out_m - box.least.out_m + box.most.in_m - box.least.in_m;
-    found_s = std::min(found_s, seconds(box, box.least, forward_m(box, box.least)));
-    box.at_least_s = seconds(box, box.least, forward_m(box, box.most) - spans_m);
+    const double farthest_m = forward_m(box, box.most);
+    found_s = std::min(found_s, seconds(box, box.most, farthest_m));
+    if (box.least.out_m + box.least.in_m >= box.together_m)
+      found_s = std::min(found_s, seconds(box, box.least, forward_m(box, box.least)));
+    box.at_least_s = seconds(box, box.least, farthest_m - spans_m);
     open.push(box);
   };
-  for (const bool out : {false, true})
-    for (const bool in : {false, true}) {
-      Box2 all;
-      all.out = out;
-      all.in = in;
-      if (out) all.least.out_m = of_from.back_m.value_or(0), all.most.out_m = from.follows_m;
-      if (in) all.least.in_m = of_to.back_m.value_or(0), all.most.in_m = to.follows_m;
-      const bool enough = (out || !of_from.back_m) && (in || !of_to.back_m) && (out || in || back_m == 0);
-      if (enough && all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push(all);
-    }
+  const auto push_all = [&](std::optional<double> out_m, std::optional<double> in_m, double together_m) {
+    for (const bool out : {false, true})
+      for (const bool in : {false, true}) {
+        if ((out_m && !out) || (in_m && !in)) continue;
+        Box2 all;
+        all.out = out;
+        all.in = in;
+        all.together_m = together_m;
+        if (out) all.least.out_m = out_m.value_or(0), all.most.out_m = from.follows_m;
+        if (in) all.least.in_m = in_m.value_or(0), all.most.in_m = to.follows_m;
+        if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push(all);
+      }
+  };
+  push_all(of_from.back_m, of_to.back_m, back_m);
+  const double instead_m = std::min(of_from.instead_m, of_to.instead_m);
+  if (instead_m < kNever_s) push_all({}, {}, std::max(back_m, instead_m));
   double least_s = found_s;
   while (!open.empty()) {
     const Box2 box = open.top();
@@ -294,8 +303,7 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
     push(near);
     push(far);
   }
-  least_s = std::min(least_s, backing_s(std::min(of_from.instead_m, of_to.instead_m)));
-  return back_m > 0 ? std::max(least_s, backing_s(back_m)) : least_s;
+  return least_s;
 }
 
 double LandSides::least_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {

@@ -12,8 +12,8 @@
 namespace tramline::check {
 namespace {
 
-/// Places of closed passes: one for each metre, up to so many.
-constexpr double kMostPlaces = 500;
+/// Places of closed passes: so many a metre, up to so many in all.
+constexpr double kPlacesAMetre = 2, kMostPlaces = 1000;
 constexpr double kWholeMetre_m = 1e-3;
 constexpr double kNextPasses_widths = 1.5;
 
@@ -128,7 +128,8 @@ class Nodes {
     pass.phase = phases_.of_pass(i);
     for (const PassSense sense : {PassSense::kAlong, PassSense::kAgainst}) {
       const WorkedCourse course = course_of_pass(plan_, i, sense);
-      const double places = std::clamp(std::ceil(course.length_m() - kWholeMetre_m), 1.0, kMostPlaces);
+      const double places =
+          std::clamp(std::ceil(kPlacesAMetre * (course.length_m() - kWholeMetre_m)), 1.0, kMostPlaces);
       pass.step_m = course.length_m() / places;
       for (double place = 0; place < places; ++place)
         pass.left.push_back(pose_of(course.axle(place / places * course.length_m())));
