@@ -99,6 +99,30 @@ TEST(LeastBacking, OnAStripIsAllAlongIt) {
   EXPECT_GE(between(LeastBacking(rectangle_of(15, 300), 0, machine), left, north, machine), 300);
 }
 
+// Tracks at 45° to an edge 9 m ahead: to come parallel to it by the obtuse side takes 3 + 6 (1 − cos 45°) =
+// 4.8 m, by the acute side 13.2 m. So the machine turns to the right by 45° out of the one track and into the
+// other, and half round between: 270° in all at 6 m. Turned by 225° to the right and 45° to the left, or the
+// other way round, it is 12 m farther off the edge, or nearer to it, and has the 8.49 m to the other track
+// and these 12 m left to drive.
+TEST(LeastBacking, WhereBothEndsTurnOneWayIsALoop) {
+  Machine machine = six_metres();
+  machine.turning.gear_change_s = 10;  // or it would back
+  const LeastBacking backing(rectangle_of(400, 200), 0, machine);
+  const double apart_m = 6 * std::numbers::sqrt2;
+  const auto track = [](Point at, double clockwise_deg) {
+    const Heading heading = towards_deg(clockwise_deg);
+    return SteeredPath{arc_from({at, heading}, 60, 0, Gear::kForward)};
+  };
+  const double along_m = 60 / std::numbers::sqrt2;
+  const SteeredPath left = track({200 - along_m, 191 - along_m}, 45),
+                    entered = track({200 - apart_m, 191}, 225);
+  const double loop_m = 1.5 * std::numbers::pi * 6 + std::hypot(apart_m, 12);
+  EXPECT_NEAR(between(backing, left, entered, machine), loop_m / 1.5, 1e-6);
+  // Farther off the edge it may turn the other way.
+  const LeastBacking far_off(rectangle_of(400, 205), 0, machine);
+  EXPECT_LT(between(far_off, left, entered, machine), loop_m / 1.5 - 3);
+}
+
 struct Line {
   SteeredPath driven;
   bool bent = false;

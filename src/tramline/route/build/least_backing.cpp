@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
@@ -24,6 +25,8 @@ constexpr double kBent = 0.5;
 constexpr double kParallel = 1e-6;
 /// Distances backed are divided down to so much, m.
 constexpr double kLeastDivided_m = 0.05;
+/// Where so many divisions do not tell, nothing is known.
+constexpr int kMostDivided = 10000;
 /// Stretches meet without a kink where their headings differ by no more than this sine, and are no sharper
 /// than the machine turns where their radii are no less than its own by more than this share.
 constexpr double kNoKink = 1e-6, kSharper = 1e-6;
@@ -99,22 +102,22 @@ LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& ma
   }
 }
 
-double LeastBacking::lacks_m(const Side& side, const Pose& pose, double backing) const {
+double LeastBacking::lacks_m(const Side& side, const Pose& pose, double backing, Turned turned) const {
   const Point ahead = -backing * pose.heading.unit();
   if (-dot(ahead, side.inwards) <= kParallel) return 0;
   const double along = std::abs(cross(ahead, side.inwards));
-  const double needed_m = aside_m_ + radius_m_ * (1 - along) - kTouching_m;
-  return std::max(0.0, needed_m - dot(pose.at - side.at, side.inwards));
+  const double nearer_m = radius_m_ * (turned == Turned::kLeast ? 1 - along : 1 + along);
+  return std::max(0.0, aside_m_ + nearer_m - kTouching_m - dot(pose.at - side.at, side.inwards));
 }
 
 /// Far enough along the line, by steps that lead no farther: what is lacking changes by no more than twice
 /// the distance backed, as the side comes nearer or farther and as the line turns.
-double LeastBacking::back_m(const Side& side, const LineExit& exit) const {
+double LeastBacking::back_m(const Side& side, const LineExit& exit, Turned turned) const {
   double begins_m = 0;
   for (const SteeredStretch& stretch : exit.line) {
     for (double at_m = 0; at_m < stretch.length_m;) {
       const Pose pose = pose_after(stretch, at_m);
-      const double lacking_m = lacks_m(side, pose, exit.backing);
+      const double lacking_m = lacks_m(side, pose, exit.backing, turned);
       if (lacking_m <= kFarEnough_m) return begins_m + at_m;
       const double rate = straight(stretch) ? exit.backing * dot(pose.heading.unit(), side.inwards) : 2;
       at_m += rate > 0 ? lacking_m / rate : stretch.length_m;
@@ -144,8 +147,16 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
   }
   out.length_m = length(out.line);
   const Pose lifted = moved_on(out.pose, -backing * straight_on_m);
-  for (const Side& side : sides_)
-    if (lacks_m(side, lifted, backing) > 0) out.near.push_back({side.inwards, back_m(side, out)});
+  const Point off = -backing * ahead;
+  for (const Side& side : sides_) {
+    if (lacks_m(side, lifted, backing, Turned::kLeast) > 0)
+      out.near.push_back({side.inwards, back_m(side, out, Turned::kLeast)});
+    if (out.bent > 0 || !(lacks_m(side, lifted, backing, Turned::kOtherWay) > 0)) continue;
+    const Point left_along = left_of(side.inwards);
+    const Point along = dot(off, left_along) >= 0 ? left_along : -1 * left_along;
+    out.one_way.push_back({side.inwards, along, std::acos(std::min(1.0, dot(off, along))),
+                           back_m(side, out, Turned::kOtherWay)});
+  }
   return out;
 }
 
@@ -209,7 +220,8 @@ double LeastBacking::least_of(const LineExit& left, const LineExit& entered, Bac
   all.out_to = std::min(all.out_to, least_in_all_m - all.in_from + more_m);
   all.in_to = std::min(all.in_to, least_in_all_m - all.out_from + more_m);
   std::vector<Backed> open{all};
-  while (!open.empty()) {
+  for (int divided = 0; !open.empty(); ++divided) {
+    if (divided > kMostDivided) return 0;
     const Backed part = open.back();
     open.pop_back();
     if (part.out_to + part.in_to < part.in_all) continue;
@@ -268,6 +280,51 @@ double LeastBacking::least_of_all(const LineExit& left, const LineExit& entered,
   return known_s;
 }
 
+/// The least length between ends that both turn to the same heading along a side. Measured from that heading
+/// towards the side the machine turns from φ to 0 and to −π and then back by φ' of the other end, or from φ
+/// to 0 and then on to π + φ'; any more turns come on top. A path through these headings θ is no shorter than
+/// r Θ + |d − r V|, Θ being all it turns by, V the sum of the headings' unit vectors over that, and d where
+/// it leads: its length is ∫(1 − p·h) ds + p·d for any p, of which for |p| ≤ 1 the first part is least where
+/// it turns at radius r, and that is greatest for p along d − r V.
+double LeastBacking::loop_m(const LineExit& left, const OneWaySide& leaves, const LineExit& entered,
+                            const OneWaySide& enters) const {
+  const Point u = leaves.along, w = -1 * leaves.inwards;
+  const Point leads = moved_on(entered.pose, -turning_.lower_m).at - moved_on(left.pose, turning_.lift_m).at;
+  const double a = leaves.angle, b = enters.angle, turned = std::numbers::pi + a + b;
+  const Point across = (std::sin(a) - std::sin(b)) * u;
+  const Point away = across - (2 + std::cos(a) - std::cos(b)) * w;
+  const Point towards = across + (2 - std::cos(a) + std::cos(b)) * w;
+  const double straight_m =
+      std::min(std::hypot((leads - radius_m_ * away).x, (leads - radius_m_ * away).y),
+               std::hypot((leads - radius_m_ * towards).x, (leads - radius_m_ * towards).y));
+  return radius_m_ * turned + straight_m;
+}
+
+/// Ways between ends that turn to the same heading along a side: a loop, or back until one of them could turn
+/// the other way.
+double LeastBacking::least_loop(const LineExit& left, const LineExit& entered, double known_s) const {
+  const double lifts_m = turning_.lift_m + turning_.lower_m, turning_mps = turning_.turning_speed_mps;
+  double out_s = known_s;
+  for (const OneWaySide& leaves : left.one_way)
+    for (const OneWaySide& enters : entered.one_way) {
+      if (!(leaves.inwards == enters.inwards) || dot(leaves.along, enters.along) < 0) continue;
+      const double turning_m = loop_m(left, leaves, entered, enters);
+      const double loop_s = (lifts_m + turning_m) / turning_mps;
+      if (loop_s <= out_s) continue;
+      // Where it backs less far than that, a loop is shorter by no more than it backs and the lifting lines.
+      const double backed_m =
+          std::min(leaves.back_m, left.length_m) + std::min(enters.back_m, entered.length_m);
+      const double gained_s = std::max(0.0, 1 / turning_mps - 1 / turning_.reverse_speed_mps) * backed_m;
+      const double backing_s = 2 * turning_.gear_change_s + (turning_m - lifts_m) / turning_mps - gained_s;
+      double least_s = std::min(loop_s, backing_s);
+      if (least_s <= out_s) continue;
+      least_s = least_of_all(left, entered, {leaves.back_m, {}, 0}, least_s);
+      least_s = least_of_all(left, entered, {{}, enters.back_m, 0}, least_s);
+      out_s = std::max(out_s, least_s);
+    }
+  return out_s;
+}
+
 /// Ways that back farther along one of them, by whatever way from there.
 double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
   const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
@@ -283,11 +340,13 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered)
 
 double LeastBacking::between(const LineExit& left, const LineExit& entered, double known_s) const {
   const Along along = on_strip(left, entered);
-  if (along == Along::kFree && !needed_of(left, entered).back_m && !needed_of(entered, left).back_m)
-    return known_s;
+  const bool free =
+      along == Along::kFree && !needed_of(left, entered).back_m && !needed_of(entered, left).back_m;
+  if (free && (left.one_way.empty() || entered.one_way.empty())) return known_s;
   const double beyond_s = least_beyond(left, entered);
   if (beyond_s <= known_s) return known_s;
-  return std::max(known_s, std::min(beyond_s, least_along(left, entered, along)) - kDivided_s);
+  const double along_s = free ? known_s : std::max(known_s, least_along(left, entered, along) - kDivided_s);
+  return std::max(known_s, std::min(beyond_s - kDivided_s, least_loop(left, entered, along_s)));
 }
 
 }  // namespace tramline

@@ -17,6 +17,14 @@ struct NearSide {
   double back_m;  ///< far enough from it, along the line
 };
 
+/// A side to which a machine can turn one way only: from the heading at which it meets it to that along it.
+struct OneWaySide {
+  Point inwards;  ///< unit vector
+  Point along;    ///< unit vector: the heading along the side to which it turns
+  double angle;   ///< between the heading and `along`, rad, from 0 to π/2
+  double back_m;  ///< along the line until it could turn the other way as well
+};
+
 /// Where a way leaves a line, or enters it.
 struct LineExit {
   Pose pose;            ///< of the axle, as it works
@@ -25,6 +33,7 @@ struct LineExit {
   double length_m = 0;  ///< of that
   double bent = 0;      ///< by how much it turns, as a sine
   std::vector<NearSide> near{};
+  std::vector<OneWaySide> one_way{};
 };
 
 /// Lower bounds of the time of ways on land with straight sides, by a machine that turns forward only, and
@@ -33,9 +42,10 @@ struct LineExit {
 /// On its way from one heading to another that points away from a side, a machine that heads for the side is
 /// parallel to it at some place, by then at least r (1 − cos φ) nearer, φ being the angle between its heading
 /// and the side. There half its outline lies between it and the side. Where that is not as far, it has to
-/// back first. On a strip of land narrower than its outline and twice its radius, no machine that drives
-/// along it turns to the opposite heading: turning by half a circle takes it 2 r across. Nor does it come
-/// back to a place that it has passed.
+/// back first; and where it is not r (1 + cos φ) nearer by then, it turns to the one heading along the side
+/// only. If both ends of a way turn to the same, it has to drive a loop between. On a strip of land narrower
+/// than its outline and twice its radius, no machine that drives along it turns to the opposite heading:
+/// turning by half a circle takes it 2 r across. Nor does it come back to a place that it has passed.
 class LeastBacking {
  public:
   /// `beyond_m`: how far beyond the field is land. Preconditions: nothing is towed on a drawbar, the machine
@@ -63,8 +73,9 @@ class LeastBacking {
   enum class Along { kFree, kSameWay, kOppositeWays };
   Along on_strip(const LineExit& left, const LineExit& entered) const;
   LineExit exit_of(const SteeredPath& line, double backing, double straight_on_m) const;
-  double lacks_m(const Side& side, const Pose& pose, double backing) const;
-  double back_m(const Side& side, const LineExit& exit) const;
+  enum class Turned { kLeast, kOtherWay };
+  double lacks_m(const Side& side, const Pose& pose, double backing, Turned turned) const;
+  double back_m(const Side& side, const LineExit& exit, Turned turned) const;
   /// Distances backed in a region, m: the least and the farthest, of both ends.
   struct Backed {
     double out_from = 0, out_to = 0, in_from = 0, in_to = 0;
@@ -85,6 +96,9 @@ class LeastBacking {
   double least_of_all(const LineExit& left, const LineExit& entered, const Asked& asked,
                       double known_s) const;
   double least_along(const LineExit& left, const LineExit& entered, Along along) const;
+  double least_loop(const LineExit& left, const LineExit& entered, double known_s) const;
+  double loop_m(const LineExit& left, const OneWaySide& leaves, const LineExit& entered,
+                const OneWaySide& enters) const;
   double least_beyond(const LineExit& left, const LineExit& entered) const;
 
   Turning turning_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <queue>
 
 #include "tramline/check/turning/driven_machine.h"
@@ -21,6 +22,8 @@ constexpr double kKink = 1e-6, kSharperShare = 1e-6;
 constexpr double kEnough_m = 1e-6;
 constexpr double kFoundTo_s = 0.02, kFoundToShare = 0.001;
 constexpr double kSmallest_m = 0.01;
+/// Where so many parts do not tell, as with speeds that no machine has, what they are known to take counts.
+constexpr int kMostParts = 20000;
 
 Pose pose_at(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
 Pose straight_on(const Pose& pose, double by_m) {
@@ -104,6 +107,77 @@ Asked asked(const WayEnd& end, const WayEnd& other) {
   return out;
 }
 
+/// The least of ways that back out and in by distances of some boxes, the most promising split first.
+struct Search {
+  const Turning& turning;
+  double radius_m;
+  const WayEnd& from;
+  const WayEnd& to;
+  std::priority_queue<Box2, std::vector<Box2>, Later> open{};
+  double found_s = kNever_s;
+
+  double forward_m(const Box2& box, const Distances& at) const {
+    const double lift_m = box.out ? 0 : turning.lift_m, lower_m = box.in ? 0 : turning.lower_m;
+    const Pose begins = straight_on(from.backed(at.out_m), lift_m),
+               ends = straight_on(to.backed(at.in_m), -lower_m);
+    return lift_m + lower_m + least_forward_m(begins, ends, radius_m);
+  }
+
+  double seconds(const Box2& box, const Distances& at, double ahead_m) const {
+    const int changes = box.out && box.in && ahead_m > 0 ? 4 : box.out || box.in ? 2 : 0;
+    return changes * turning.gear_change_s +
+           std::max(at.out_m + at.in_m, box.together_m) / turning.reverse_speed_mps +
+           std::max(0.0, ahead_m) / turning.turning_speed_mps;
+  }
+
+  /// Where it backed less far, the machine could come forward to from farther back.
+  void push(Box2 box) {
+    if (box.most.out_m + box.most.in_m < box.together_m) return;
+    const double spans_m = box.most.out_m - box.least.out_m + box.most.in_m - box.least.in_m;
+    const double farthest_m = forward_m(box, box.most);
+    found_s = std::min(found_s, seconds(box, box.most, farthest_m));
+    if (box.least.out_m + box.least.in_m >= box.together_m)
+      found_s = std::min(found_s, seconds(box, box.least, forward_m(box, box.least)));
+    box.at_least_s = seconds(box, box.least, farthest_m - spans_m);
+    open.push(box);
+  }
+
+  /// All ways that back so far out and in at least, and so far together.
+  void push_all(std::optional<double> out_m, std::optional<double> in_m, double together_m) {
+    for (const bool out : {false, true})
+      for (const bool in : {false, true}) {
+        if ((out_m && !out) || (in_m && !in)) continue;
+        Box2 all;
+        all.out = out;
+        all.in = in;
+        all.together_m = together_m;
+        if (out) all.least.out_m = out_m.value_or(0), all.most.out_m = from.follows_m;
+        if (in) all.least.in_m = in_m.value_or(0), all.most.in_m = to.follows_m;
+        if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push(all);
+      }
+  }
+
+  double least_s(double known_s) {
+    double out_s = found_s;
+    for (int parts = 0; !open.empty() && parts < kMostParts; ++parts) {
+      const Box2 box = open.top();
+      open.pop();
+      out_s = std::min(box.at_least_s, found_s);
+      const double out_m = box.most.out_m - box.least.out_m, in_m = box.most.in_m - box.least.in_m;
+      const double near_s = std::max(kFoundTo_s, kFoundToShare * found_s);
+      if (out_s >= std::min(known_s, found_s - near_s) || std::max(out_m, in_m) < kSmallest_m) break;
+      Box2 near = box, far = box;
+      if (out_m > in_m)
+        near.most.out_m = far.least.out_m = box.least.out_m + 0.5 * out_m;
+      else
+        near.most.in_m = far.least.in_m = box.least.in_m + 0.5 * in_m;
+      push(near);
+      push(far);
+    }
+    return out_s;
+  }
+};
+
 }  // namespace
 
 Pose WayEnd::backed(double by_m) const { return pose_at(course->axle(from_m + sense * by_m)); }
@@ -146,24 +220,25 @@ LandSides::LandSides(const Plan& plan, double beyond_m)
   }
 }
 
-double LandSides::missing_m(const HullSide& side, const Pose& at, Point off) const {
+double LandSides::missing_m(const HullSide& side, const Pose& at, Point off, Comes comes) const {
   const double towards = -dot(off, side.inwards);
   if (towards <= kSideways) return 0;
   // 1 − cos φ, from the sine.
   const double cosine = std::sqrt(std::max(0.0, 1 - towards * towards));
   const double room_m = dot(at.at - side.on, side.inwards);
-  return std::max(0.0, half_m_ + radius_m_ * (1 - cosine) - kRoomFoundTo_m - room_m);
+  const double nearer_m = radius_m_ * (comes == Comes::kEitherWay ? 1 - cosine : 1 + cosine);
+  return std::max(0.0, half_m_ + nearer_m - kRoomFoundTo_m - room_m);
 }
 
 /// As far as it follows the line where it is never enough.
-double LandSides::far_enough_m(const HullSide& side, const WayEnd& end) const {
+double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const {
   double at_m = 0;
   for (const Piece& piece : pieces_from(*end.course, end.sense)) {
     const double to_m = std::min(at_m + piece.length_m, end.follows_m);
     while (at_m < to_m) {
       const Pose pose = end.backed(at_m);
       const Point off = -end.sense * pose.heading.unit();
-      const double missing = missing_m(side, pose, off);
+      const double missing = missing_m(side, pose, off, comes);
       if (missing <= kEnough_m) return at_m;
       // Backing along an arc brings it nearer to enough by twice the distance at the most.
       const double gains = piece.curvature == 0 ? -dot(off, side.inwards) : 2;
@@ -203,8 +278,14 @@ WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double 
   }
   out.follows_m = at_m;
   const Pose lifted = straight_on(out.at, -sense * straight_on_m);
-  for (const HullSide& side : sides_)
-    if (missing_m(side, lifted, out.off) > 0) out.sides.push_back({side.inwards, far_enough_m(side, out)});
+  for (const HullSide& side : sides_) {
+    if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
+      out.sides.push_back({side.inwards, far_enough_m(side, out, Comes::kEitherWay)});
+    if (out.turns > 0 || missing_m(side, lifted, out.off, Comes::kTheFarWay) <= 0) continue;
+    const Point either{side.inwards.y, -side.inwards.x};
+    out.beside.push_back({side.inwards, dot(out.off, either) > 0 ? either : -1 * either,
+                          far_enough_m(side, out, Comes::kTheFarWay)});
+  }
   return out;
 }
 
@@ -246,72 +327,65 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
     const double sense = dot(from.off, band_) > 0 ? 1 : -1;
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
-  const auto forward_m = [&](const Box2& box, const Distances& at) {
-    const double lift_m = box.out ? 0 : turning_.lift_m, lower_m = box.in ? 0 : turning_.lower_m;
-    return lift_m + lower_m +
-           least_forward_m(straight_on(from.backed(at.out_m), lift_m),
-                           straight_on(to.backed(at.in_m), -lower_m), radius_m_);
-  };
-  const auto seconds = [&](const Box2& box, const Distances& at, double ahead_m) {
-    const int changes = box.out && box.in && ahead_m > 0 ? 4 : box.out || box.in ? 2 : 0;
-    return changes * turning_.gear_change_s +
-           std::max(at.out_m + at.in_m, box.together_m) / turning_.reverse_speed_mps +
-           std::max(0.0, ahead_m) / turning_.turning_speed_mps;
-  };
-  std::priority_queue<Box2, std::vector<Box2>, Later> open;
-  double found_s = kNever_s;
-  // Where it backed less far, the machine could come forward to from farther back.
-  const auto push = [&](Box2 box) {
-    if (box.most.out_m + box.most.in_m < box.together_m) return;
-    const double spans_m = box.most.out_m - box.least.out_m + box.most.in_m - box.least.in_m;
-    const double farthest_m = forward_m(box, box.most);
-    found_s = std::min(found_s, seconds(box, box.most, farthest_m));
-    if (box.least.out_m + box.least.in_m >= box.together_m)
-      found_s = std::min(found_s, seconds(box, box.least, forward_m(box, box.least)));
-    box.at_least_s = seconds(box, box.least, farthest_m - spans_m);
-    open.push(box);
-  };
-  const auto push_all = [&](std::optional<double> out_m, std::optional<double> in_m, double together_m) {
-    for (const bool out : {false, true})
-      for (const bool in : {false, true}) {
-        if ((out_m && !out) || (in_m && !in)) continue;
-        Box2 all;
-        all.out = out;
-        all.in = in;
-        all.together_m = together_m;
-        if (out) all.least.out_m = out_m.value_or(0), all.most.out_m = from.follows_m;
-        if (in) all.least.in_m = in_m.value_or(0), all.most.in_m = to.follows_m;
-        if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push(all);
-      }
-  };
-  push_all(of_from.back_m, of_to.back_m, back_m);
+  Search search{turning_, radius_m_, from, to};
+  search.push_all(of_from.back_m, of_to.back_m, back_m);
   const double instead_m = std::min(of_from.instead_m, of_to.instead_m);
-  if (instead_m < kNever_s) push_all({}, {}, std::max(back_m, instead_m));
-  double least_s = found_s;
-  while (!open.empty()) {
-    const Box2 box = open.top();
-    open.pop();
-    least_s = std::min(box.at_least_s, found_s);
-    const double out_m = box.most.out_m - box.least.out_m, in_m = box.most.in_m - box.least.in_m;
-    const double near_s = std::max(kFoundTo_s, kFoundToShare * found_s);
-    if (least_s >= std::min(known_s, found_s - near_s) || std::max(out_m, in_m) < kSmallest_m) break;
-    Box2 near = box, far = box;
-    if (out_m > in_m)
-      near.most.out_m = far.least.out_m = box.least.out_m + 0.5 * out_m;
-    else
-      near.most.in_m = far.least.in_m = box.least.in_m + 0.5 * in_m;
-    push(near);
-    push(far);
-  }
-  return least_s;
+  if (instead_m < kNever_s) search.push_all({}, {}, std::max(back_m, instead_m));
+  return search.least_s(known_s);
+}
+
+/// The least of ways whose ends come parallel to a side with the same heading u: so a way begins by turning
+/// to u and ends by turning from −u, with half a turn between on the one or on the other side. It is as long
+/// as these turns at least, and as what is left to drive once they are driven, straight: the headings of
+/// turns at radius r add up to r times the difference of their normals.
+double LandSides::loops_s(const WayEnd& from, const WayEnd& to, double enough_s) const {
+  const double off_line_m = turning_.lift_m + turning_.lower_m;
+  double out_s = 0;
+  for (const SideBeside& one : from.beside)
+    for (const SideBeside& other : to.beside) {
+      if (!(one.inwards == other.inwards) || dot(one.parallel, other.parallel) < 0) continue;
+      const Point u = one.parallel, n = one.inwards;
+      const Point leads = straight_on(to.at, -turning_.lower_m).at - straight_on(from.at, turning_.lift_m).at;
+      // A turn of less than half a circle from one heading to another leads to where the difference of the
+      // headings, turned by a quarter of a circle, does.
+      const auto turn = [&](Point a, Point b) {
+        const double sense = cross(a, b) >= 0 ? 1 : -1;
+        const Point c = b - a;
+        return radius_m_ * sense * Point{c.y, -c.x};
+      };
+      const Point arrives = -1 * to.off;
+      const Point ends = turn(from.off, u) + turn(-1 * u, arrives);
+      const double half_m = 2 * radius_m_;  // across, on the side of the land or on that of its edge
+      const double left_m =
+          std::min(std::hypot((leads - ends - half_m * n).x, (leads - ends - half_m * n).y),
+                   std::hypot((leads - ends + half_m * n).x, (leads - ends + half_m * n).y));
+      const double angles =
+          std::acos(std::min(1.0, dot(from.off, u))) + std::acos(std::min(1.0, dot(to.off, u)));
+      const double loop_m = radius_m_ * (angles + std::numbers::pi) + left_m;
+      const double slower = std::max(0.0, 1 / turning_.turning_speed_mps - 1 / turning_.reverse_speed_mps);
+      const double backed_m = std::min(one.back_m, from.follows_m) + std::min(other.back_m, to.follows_m);
+      const double looping_s =
+          std::min((loop_m + off_line_m) / turning_.turning_speed_mps,
+                   2 * turning_.gear_change_s + (loop_m - off_line_m) / turning_.turning_speed_mps -
+                       slower * backed_m);
+      if (looping_s <= out_s) continue;
+      Search search{turning_, radius_m_, from, to};
+      search.push_all(one.back_m, {}, 0);
+      search.push_all({}, other.back_m, 0);
+      out_s = std::max(out_s, std::min(looping_s, search.least_s(std::min(enough_s, looping_s))));
+    }
+  return out_s;
 }
 
 double LandSides::least_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {
-  if (in_band(from, to) == InBand::kFree && !asked(from, to).back_m && !asked(to, from).back_m)
-    return known_s;
+  const bool backs = in_band(from, to) != InBand::kFree || asked(from, to).back_m || asked(to, from).back_m;
+  if (!backs && (from.beside.empty() || to.beside.empty())) return known_s;
   const double beyond_s = farther_s(from, to);
   if (beyond_s <= known_s) return known_s;
-  return std::max(known_s, std::min(beyond_s, along_lines_s(from, to, std::min(beyond_s, enough_s))));
+  enough_s = std::min(beyond_s, enough_s);
+  double out_s = std::max(known_s, loops_s(from, to, enough_s));
+  if (backs && out_s < enough_s) out_s = std::max(out_s, along_lines_s(from, to, enough_s));
+  return std::max(known_s, std::min(beyond_s, out_s));
 }
 
 }  // namespace tramline::check

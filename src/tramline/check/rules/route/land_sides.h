@@ -20,6 +20,13 @@ struct SideAhead {
   double back_m = 0;  ///< along the line, until it is far enough
 };
 
+/// A side that a machine comes parallel to with one of its two headings only: for the other there is no room.
+struct SideBeside {
+  Point inwards;      ///< unit vector
+  Point parallel;     ///< unit vector, that heading
+  double back_m = 0;  ///< along the line, until there is room for the other
+};
+
 /// Where a way leaves a line or enters it, and the axle's line from there on, along which a machine may back
 /// out or in: until it has a kink, is sharper than the machine turns, or is turned by more than 30°.
 struct WayEnd {
@@ -31,6 +38,7 @@ struct WayEnd {
   double follows_m = 0;
   double turns = 0;  ///< the greatest sine of the angle between the line and `off`
   std::vector<SideAhead> sides{};
+  std::vector<SideBeside> beside{};  ///< of a straight line
 
   Pose backed(double by_m) const;
 };
@@ -39,9 +47,10 @@ struct WayEnd {
 /// work.
 ///
 /// A machine that heads for a side at an angle φ to it, and later does not, comes nearer by r (1 − cos φ) at
-/// least until it is parallel to it, and has half its outline between it and the side there. On land in a
-/// band narrower than 2 (r + half the outline) it cannot turn round, because half a turn takes 2 r across;
-/// nor does it come back to where it was along the band, since that takes half a turn and another back.
+/// least until it is parallel to it, and has half its outline between it and the side there; parallel the
+/// other way, r (1 + cos φ). On land in a band narrower than 2 (r + half the outline) it cannot turn round,
+/// because half a turn takes 2 r across; nor does it come back to where it was along the band, since that
+/// takes half a turn and another back.
 class LandSides {
  public:
   /// nullopt: where land beyond the boundary has no limits, where a machine reverses in turns or tows, and
@@ -64,11 +73,13 @@ class LandSides {
   };
   enum class InBand { kFree, kOnward, kNever };
   WayEnd end_of_line(const WorkedCourse& course, double from_m, double sense, double straight_on_m) const;
-  double missing_m(const HullSide& side, const Pose& at, Point off) const;
-  double far_enough_m(const HullSide& side, const WayEnd& end) const;
+  enum class Comes { kEitherWay, kTheFarWay };
+  double missing_m(const HullSide& side, const Pose& at, Point off, Comes comes) const;
+  double far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const;
   InBand in_band(const WayEnd& from, const WayEnd& to) const;
   double farther_s(const WayEnd& from, const WayEnd& to) const;
   double along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const;
+  double loops_s(const WayEnd& from, const WayEnd& to, double enough_s) const;
 
   Turning turning_;
   double radius_m_;
