@@ -154,6 +154,7 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
     if (out.bent > 0 || !(lacks_m(side, lifted, backing, Turned::kOtherWay) > 0)) continue;
     const Point left_along = left_of(side.inwards);
     const Point along = dot(off, left_along) >= 0 ? left_along : -1 * left_along;
+    if (dot(off, along) < kParallel) continue;  // straight at it: no way is shorter
     out.one_way.push_back({side.inwards, along, std::acos(std::min(1.0, dot(off, along))),
                            back_m(side, out, Turned::kOtherWay)});
   }

@@ -19,6 +19,8 @@ constexpr double kRoomFoundTo_m = 0.05;
 constexpr double kTurnsAtMost = 0.5;
 constexpr double kSideways = 1e-6;
 constexpr double kKink = 1e-6, kSharperShare = 1e-6;
+/// Lines that turn by no more than rounding, as a sine.
+constexpr double kStraight = 1e-9;
 constexpr double kEnough_m = 1e-6;
 constexpr double kFoundTo_s = 0.02, kFoundToShare = 0.001;
 constexpr double kSmallest_m = 0.01;
@@ -48,11 +50,13 @@ Ring corners_of_hull(const Ring& ring) {
   return out;
 }
 
-/// Positions along the axle's line at which segments of the path end, from `from_m` the way it is backed.
+/// A line or arc of the axle's line.
 struct Piece {
   double length_m = 0;
   double curvature = 0;
 };
+
+/// While the implement works the path, in the order in which they are backed along.
 std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   const double begin_m = course.ahead_m(), end_m = course.ahead_m() + course.length_m();
   std::vector<Piece> out;
@@ -76,14 +80,14 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
 struct Distances {
   double out_m = 0, in_m = 0;
 };
-struct Box2 {
+struct Range {
   Distances least, most;
   bool out = false, in = false;
   double together_m = 0;  ///< both at least
   double at_least_s = 0;
 };
 struct Later {
-  bool operator()(const Box2& a, const Box2& b) const { return a.at_least_s > b.at_least_s; }
+  bool operator()(const Range& a, const Range& b) const { return a.at_least_s > b.at_least_s; }
 };
 
 struct Asked {
@@ -107,39 +111,39 @@ Asked asked(const WayEnd& end, const WayEnd& other) {
   return out;
 }
 
-/// The least of ways that back out and in by distances of some boxes, the most promising split first.
+/// The least of ways that back out and in by distances in some ranges, the most promising split first.
 struct Search {
   const Turning& turning;
   double radius_m;
   const WayEnd& from;
   const WayEnd& to;
-  std::priority_queue<Box2, std::vector<Box2>, Later> open{};
+  std::priority_queue<Range, std::vector<Range>, Later> open{};
   double found_s = kNever_s;
 
-  double forward_m(const Box2& box, const Distances& at) const {
-    const double lift_m = box.out ? 0 : turning.lift_m, lower_m = box.in ? 0 : turning.lower_m;
+  double forward_m(const Range& range, const Distances& at) const {
+    const double lift_m = range.out ? 0 : turning.lift_m, lower_m = range.in ? 0 : turning.lower_m;
     const Pose begins = straight_on(from.backed(at.out_m), lift_m),
                ends = straight_on(to.backed(at.in_m), -lower_m);
     return lift_m + lower_m + least_forward_m(begins, ends, radius_m);
   }
 
-  double seconds(const Box2& box, const Distances& at, double ahead_m) const {
-    const int changes = box.out && box.in && ahead_m > 0 ? 4 : box.out || box.in ? 2 : 0;
+  double seconds(const Range& range, const Distances& at, double ahead_m) const {
+    const int changes = range.out && range.in && ahead_m > 0 ? 4 : range.out || range.in ? 2 : 0;
     return changes * turning.gear_change_s +
-           std::max(at.out_m + at.in_m, box.together_m) / turning.reverse_speed_mps +
+           std::max(at.out_m + at.in_m, range.together_m) / turning.reverse_speed_mps +
            std::max(0.0, ahead_m) / turning.turning_speed_mps;
   }
 
   /// Where it backed less far, the machine could come forward to from farther back.
-  void push(Box2 box) {
-    if (box.most.out_m + box.most.in_m < box.together_m) return;
-    const double spans_m = box.most.out_m - box.least.out_m + box.most.in_m - box.least.in_m;
-    const double farthest_m = forward_m(box, box.most);
-    found_s = std::min(found_s, seconds(box, box.most, farthest_m));
-    if (box.least.out_m + box.least.in_m >= box.together_m)
-      found_s = std::min(found_s, seconds(box, box.least, forward_m(box, box.least)));
-    box.at_least_s = seconds(box, box.least, farthest_m - spans_m);
-    open.push(box);
+  void push(Range range) {
+    if (range.most.out_m + range.most.in_m < range.together_m) return;
+    const double spans_m = range.most.out_m - range.least.out_m + range.most.in_m - range.least.in_m;
+    const double farthest_m = forward_m(range, range.most);
+    found_s = std::min(found_s, seconds(range, range.most, farthest_m));
+    if (range.least.out_m + range.least.in_m >= range.together_m)
+      found_s = std::min(found_s, seconds(range, range.least, forward_m(range, range.least)));
+    range.at_least_s = seconds(range, range.least, farthest_m - spans_m);
+    open.push(range);
   }
 
   /// All ways that back so far out and in at least, and so far together.
@@ -147,7 +151,7 @@ struct Search {
     for (const bool out : {false, true})
       for (const bool in : {false, true}) {
         if ((out_m && !out) || (in_m && !in)) continue;
-        Box2 all;
+        Range all;
         all.out = out;
         all.in = in;
         all.together_m = together_m;
@@ -160,17 +164,17 @@ struct Search {
   double least_s(double known_s) {
     double out_s = found_s;
     for (int parts = 0; !open.empty() && parts < kMostParts; ++parts) {
-      const Box2 box = open.top();
+      const Range range = open.top();
       open.pop();
-      out_s = std::min(box.at_least_s, found_s);
-      const double out_m = box.most.out_m - box.least.out_m, in_m = box.most.in_m - box.least.in_m;
+      out_s = std::min(range.at_least_s, found_s);
+      const double out_m = range.most.out_m - range.least.out_m, in_m = range.most.in_m - range.least.in_m;
       const double near_s = std::max(kFoundTo_s, kFoundToShare * found_s);
       if (out_s >= std::min(known_s, found_s - near_s) || std::max(out_m, in_m) < kSmallest_m) break;
-      Box2 near = box, far = box;
+      Range near = range, far = range;
       if (out_m > in_m)
-        near.most.out_m = far.least.out_m = box.least.out_m + 0.5 * out_m;
+        near.most.out_m = far.least.out_m = range.least.out_m + 0.5 * out_m;
       else
-        near.most.in_m = far.least.in_m = box.least.in_m + 0.5 * in_m;
+        near.most.in_m = far.least.in_m = range.least.in_m + 0.5 * in_m;
       push(near);
       push(far);
     }
@@ -281,7 +285,7 @@ WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double 
   for (const HullSide& side : sides_) {
     if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
       out.sides.push_back({side.inwards, far_enough_m(side, out, Comes::kEitherWay)});
-    if (out.turns > 0 || missing_m(side, lifted, out.off, Comes::kTheFarWay) <= 0) continue;
+    if (out.turns > kStraight || missing_m(side, lifted, out.off, Comes::kTheFarWay) <= 0) continue;
     const Point either{side.inwards.y, -side.inwards.x};
     out.beside.push_back({side.inwards, dot(out.off, either) > 0 ? either : -1 * either,
                           far_enough_m(side, out, Comes::kTheFarWay)});
