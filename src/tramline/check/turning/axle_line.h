@@ -17,6 +17,12 @@ struct LinePlace {
   Point ahead;  ///< unit vector
 };
 
+inline Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
+/// The pose straight on from another, m; negative: straight back.
+inline Pose moved_on(const Pose& pose, double by_m) {
+  return {pose.at + by_m * pose.heading.unit(), pose.heading};
+}
+
 enum class PathEnds { kApart, kMeet };
 
 /// A path that goes straight on beyond both ends, or round and round where they meet.

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
-#include "tramline/model/speeds.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
@@ -55,7 +54,7 @@ Point outwards(const LineExit& exit) { return -exit.backing * exit.pose.heading.
 struct Needed {
   std::optional<double> back_m{};  ///< to back there so far at least; nullopt: nothing
   /// Or to back so far in all, at both ends together, to head for a side all the way.
-  double or_in_all_m = std::numeric_limits<double>::infinity();
+  double or_in_all_m = kNever_s;
 };
 
 /// Where the way heads for a side at its other end too, it need not turn away from it, but then it cannot
@@ -295,9 +294,7 @@ double LeastBacking::loop_m(const LineExit& left, const OneWaySide& leaves, cons
   const Point across = (std::sin(a) - std::sin(b)) * u;
   const Point away = across - (2 + std::cos(a) - std::cos(b)) * w;
   const Point towards = across + (2 - std::cos(a) + std::cos(b)) * w;
-  const double straight_m =
-      std::min(std::hypot((leads - radius_m_ * away).x, (leads - radius_m_ * away).y),
-               std::hypot((leads - radius_m_ * towards).x, (leads - radius_m_ * towards).y));
+  const double straight_m = std::min(distance(leads, radius_m_ * away), distance(leads, radius_m_ * towards));
   return radius_m_ * turned + straight_m;
 }
 

@@ -1,7 +1,6 @@
 #include "tramline/check/rules/route/land_sides.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -26,11 +25,6 @@ constexpr double kFoundTo_s = 0.02, kFoundToShare = 0.001;
 constexpr double kSmallest_m = 0.01;
 /// Where so many parts do not tell, as with speeds that no machine has, what they are known to take counts.
 constexpr int kMostParts = 20000;
-
-Pose pose_at(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
-Pose straight_on(const Pose& pose, double by_m) {
-  return {pose.at + by_m * pose.heading.unit(), pose.heading};
-}
 
 /// The corners of the convex hull, anticlockwise, by going round it (Jarvis 1973).
 Ring corners_of_hull(const Ring& ring) {
@@ -122,8 +116,8 @@ struct Search {
 
   double forward_m(const Range& range, const Distances& at) const {
     const double lift_m = range.out ? 0 : turning.lift_m, lower_m = range.in ? 0 : turning.lower_m;
-    const Pose begins = straight_on(from.backed(at.out_m), lift_m),
-               ends = straight_on(to.backed(at.in_m), -lower_m);
+    const Pose begins = moved_on(from.backed(at.out_m), lift_m),
+               ends = moved_on(to.backed(at.in_m), -lower_m);
     return lift_m + lower_m + least_forward_m(begins, ends, radius_m);
   }
 
@@ -184,7 +178,7 @@ struct Search {
 
 }  // namespace
 
-Pose WayEnd::backed(double by_m) const { return pose_at(course->axle(from_m + sense * by_m)); }
+Pose WayEnd::backed(double by_m) const { return pose_of(course->axle(from_m + sense * by_m)); }
 
 std::optional<LandSides> LandSides::of(const Plan& plan) {
   const std::optional<double> beyond_m = land_beyond_m(plan);
@@ -281,7 +275,7 @@ WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double 
     at_m += piece.length_m;
   }
   out.follows_m = at_m;
-  const Pose lifted = straight_on(out.at, -sense * straight_on_m);
+  const Pose lifted = moved_on(out.at, -sense * straight_on_m);
   for (const HullSide& side : sides_) {
     if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
       out.sides.push_back({side.inwards, far_enough_m(side, out, Comes::kEitherWay)});
@@ -349,7 +343,7 @@ double LandSides::loops_s(const WayEnd& from, const WayEnd& to, double enough_s)
     for (const SideBeside& other : to.beside) {
       if (!(one.inwards == other.inwards) || dot(one.parallel, other.parallel) < 0) continue;
       const Point u = one.parallel, n = one.inwards;
-      const Point leads = straight_on(to.at, -turning_.lower_m).at - straight_on(from.at, turning_.lift_m).at;
+      const Point leads = moved_on(to.at, -turning_.lower_m).at - moved_on(from.at, turning_.lift_m).at;
       // A turn of less than half a circle from one heading to another leads to where the difference of the
       // headings, turned by a quarter of a circle, does.
       const auto turn = [&](Point a, Point b) {
@@ -360,9 +354,7 @@ double LandSides::loops_s(const WayEnd& from, const WayEnd& to, double enough_s)
       const Point arrives = -1 * to.off;
       const Point ends = turn(from.off, u) + turn(-1 * u, arrives);
       const double half_m = 2 * radius_m_;  // across, on the side of the land or on that of its edge
-      const double left_m =
-          std::min(std::hypot((leads - ends - half_m * n).x, (leads - ends - half_m * n).y),
-                   std::hypot((leads - ends + half_m * n).x, (leads - ends + half_m * n).y));
+      const double left_m = std::min(distance(leads, ends + half_m * n), distance(leads, ends - half_m * n));
       const double angles =
           std::acos(std::min(1.0, dot(from.off, u))) + std::acos(std::min(1.0, dot(to.off, u)));
       const double loop_m = radius_m_ * (angles + std::numbers::pi) + left_m;

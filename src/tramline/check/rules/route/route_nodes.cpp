@@ -17,9 +17,6 @@ constexpr double kPlacesAMetre = 2, kMostPlaces = 1000;
 constexpr double kWholeMetre_m = 1e-3;
 constexpr double kNextPasses_widths = 1.5;
 
-Pose pose_of(const LinePlace& place) { return {place.at, Heading::from_to({0, 0}, place.ahead)}; }
-Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
-
 RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, std::size_t phase,
                    const std::optional<LandSides>& sides) {
   RouteNode out;
