@@ -81,10 +81,26 @@ TEST(RouteReport, LegsWithoutRoomAreAPartOfTheWholeCost) {
   EXPECT_DOUBLE_EQ(whole_cost_json(tight).at("euros_without_room").get<double>(), 100);
 }
 
+// 900 s and one back-out of 60 s against 768 s.
+TEST(RouteReport, StopsCountInWhatIsProven) {
+  Plan priced = routed();
+  priced.route.proof.bound_s = 768;
+  priced.route.proof.stop_s = 60;
+  EXPECT_NE(
+      route_rows(priced).find("; at most 25.0 % above the best, each stop to back out counted as 60 s\n"),
+      std::string::npos)
+      << route_rows(priced);
+  EXPECT_DOUBLE_EQ(route_json(priced).at("gap").get<double>(), 0.2);
+  EXPECT_EQ(route_json(priced).at("back_outs"), 1);
+  EXPECT_EQ(route_json(priced).at("stop_s"), 60);
+  priced.route.legs.erase(priced.route.legs.begin() + 2);  // nothing to back out of
+  EXPECT_NE(route_rows(priced).find(" % above the best\n"), std::string::npos) << route_rows(priced);
+}
+
 TEST(RouteReport, NoBoundProvesNothing) {
   Plan unproven = routed();
   unproven.route.proof.bound_s = 0;
-  EXPECT_EQ(route_rows(unproven).find("quickest"), std::string::npos);
+  EXPECT_EQ(route_rows(unproven).find("at most"), std::string::npos);
 }
 
 TEST(RouteReport, JsonHasSumsAndLegs) {

@@ -162,6 +162,7 @@ CHANGES = [
      "UPDATE route_legs SET stretches = (SELECT stretches FROM route_legs WHERE seq = 2) WHERE seq = 4", FOUND),
     ("route: bound raised", key("route.bound_s", "value + 10"), FOUND),
     ("route: bound above the time", key("route.bound_s", "value * 2"), FOUND),
+    ("route: what a stop counts raised", key("route.stop_s", "value + 10"), FOUND),
     # Along edges of worked land and of the body, metres may belong to either side.
     ("route: over worked land", key("route.over_worked_m", "value + 500"), FOUND),
     ("route: over unworked land", key("route.over_unworked_m", "'0'"), FOUND),

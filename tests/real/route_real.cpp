@@ -103,8 +103,7 @@ void look_at(const Plan& plan, Fared& out) {
                  off_the_land_m(plan.field, plan.machine.width_m, leg.path));
     }
   }
-  const RouteSums sums = sums_of(plan.route);
-  out.gap = gap(sums.time_s, plan.route.proof.bound_s);
+  out.gap = gap(priced_time_s(plan.route), plan.route.proof.bound_s);
 }
 
 /// What is planned, of which fields, and where legs are written to.

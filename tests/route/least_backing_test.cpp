@@ -80,7 +80,7 @@ TEST(LeastBacking, AtAnObliqueEdgeIsLess) {
   const Ring field{{0, 0}, {100, 0}, {100, 200 + 100 * slope}, {0, 200}};
   const LeastBacking backing(field, 0, machine);
   const double at_edge_m = 200 + 40 * slope;
-  const LineExit exit = backing.left(north_to({40, at_edge_m}, 150));
+  const LineExit exit = backing.left(north_to({40, at_edge_m}, 150)).whole;
   ASSERT_EQ(exit.near.size(), 1U);
   EXPECT_NEAR(exit.near.front().back_m, (6 - 0.05) / std::cos(30 * std::numbers::pi / 180), 2e-3);
 }
@@ -117,10 +117,42 @@ TEST(LeastBacking, WhereBothEndsTurnOneWayIsALoop) {
   const SteeredPath left = track({200 - along_m, 191 - along_m}, 45),
                     entered = track({200 - apart_m, 191}, 225);
   const double loop_m = 1.5 * std::numbers::pi * 6 + std::hypot(apart_m, 12);
-  EXPECT_NEAR(between(backing, left, entered, machine), loop_m / 1.5, 1e-6);
+  const double found_s = between(backing, left, entered, machine);
+  EXPECT_LE(found_s, loop_m / 1.5);
+  EXPECT_GE(found_s, loop_m / 1.5 - 0.3);
   // Farther off the edge it may turn the other way.
   const LeastBacking far_off(rectangle_of(400, 205), 0, machine);
   EXPECT_LT(between(far_off, left, entered, machine), loop_m / 1.5 - 3);
+}
+
+// A track at 45° to an edge 11 m ahead, and a pass along the edge that leads the other way than the machine
+// can turn there (it would take 13.2 m). So it turns by 45° and by half a circle to the pass, which is 40 m
+// back and 8 m nearer to the edge. Half round towards the edge, these turns lead to 4.24 m on and 13.76 m
+// nearer; half round away from it, to farther off. With land enough it turns by 135°.
+TEST(LeastBacking, TurnsRoundToALineAlongTheSide) {
+  Machine machine = six_metres();
+  machine.turning.gear_change_s = 10;  // or it would back
+  const SteeredPath left{arc_from({{100, 150}, towards_deg(45)}, 60, 0, Gear::kForward)};
+  const Point end = end_of(left).at;
+  const SteeredPath pass{arc_from({end + Point{-40, 8}, towards_deg(270)}, 100, 0, Gear::kForward)};
+  const double turns_m = 3 * std::numbers::sqrt2;
+  const double loop_m = 1.25 * std::numbers::pi * 6 + std::hypot(40 + turns_m, 18 - turns_m - 8);
+  const Ring near = rectangle_of(400, end.y + 11), far = rectangle_of(400, end.y + 14);
+  const double found_s = between(LeastBacking(near, 0, machine), left, pass, machine);
+  EXPECT_LE(found_s, loop_m / 1.5);
+  EXPECT_GE(found_s, loop_m / 1.5 - 0.3);
+  EXPECT_EQ(between(LeastBacking(far, 0, machine), left, pass, machine),
+            LeastSeconds(machine).forward(end_of(left), pass.front().start));
+}
+
+// Where the land asks for two stops they count twice.
+TEST(LeastBacking, EachStopCounts) {
+  const Machine machine = six_metres();
+  const SteeredPath left = north_to({40, 200}, 150), entered = south_from({52, 200}, 150);
+  const double found_s = between(LeastBacking(rectangle_of(100, 200), 0, machine), left, entered, machine);
+  const double priced_s =
+      between(LeastBacking(rectangle_of(100, 200), 0, machine, 5), left, entered, machine);
+  EXPECT_NEAR(priced_s, found_s + 10, 0.1);
 }
 
 struct Line {
@@ -132,22 +164,25 @@ struct Line {
 Ring random_field_of_sides(std::mt19937_64& random) {
   const double wide_m = uniform(random, 9, 60), long_m = uniform(random, 40, 120);
   Ring out = rectangle_of(wide_m, long_m);
-  for (Point& corner : out) corner = corner + Point{uniform(random, -2, 2), uniform(random, -15, 15)};
+  const double skew = any_of(random, 0, 2) > 0 ? 1 : 0;
+  for (Point& corner : out) corner = corner + skew * Point{uniform(random, -2, 2), uniform(random, -15, 15)};
   if (any_of(random, 0, 1) == 1)
     out.insert(out.begin() + 3, 0.5 * (out[2] + out[3]) + Point{0, uniform(random, 1, 10)});
   return out;
 }
 
-/// A line to where the outline meets the edge of the land ahead, straight or bent behind the last metres.
+/// A line to where the outline meets the edge of the land ahead, or short of it, straight or bent behind the
+/// last metres; along the sides or aslant.
 std::optional<Line> random_line(const Ring& field, const AllowedLand& land, const Machine& machine,
                                 std::mt19937_64& random) {
   const Box box = bounds(field);
   const Outline outline = outline_of(machine);
   Pose pose{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},
-            towards_deg(any_of(random, 0, 1) * 180 + uniform(random, -30, 30) * any_of(random, 0, 1))};
+            towards_deg(any_of(random, 0, 3) * 90 + uniform(random, -30, 30) * any_of(random, 0, 1))};
   if (!land.holds(pose, outline)) return std::nullopt;
   const double short_m = any_of(random, 0, 2) * uniform(random, 0, 6);
-  while (land.holds(moved_on(pose, 0.2 + short_m), outline)) pose = moved_on(pose, 0.2);
+  const bool to_edge = any_of(random, 0, 3) > 0;
+  while (to_edge && land.holds(moved_on(pose, 0.2 + short_m), outline)) pose = moved_on(pose, 0.2);
   Line out;
   out.bent = any_of(random, 0, 2) == 0;
   SteeredPath back;
@@ -178,10 +213,10 @@ Machine random_machine_that_backs(std::mt19937_64& random) {
   return out;
 }
 
-/// The quickest of ways tried at random, if one has room: out of the one line and into the other from any
-/// distance along them, by words of Dubins, straight or over another pose.
-std::optional<double> quickest_tried_s(const SteeredPath& left, const SteeredPath& entered, const Ring& field,
-                                       const AllowedLand& land, const Machine& machine,
+/// The cheapest of ways tried at random, if one has room, each stop counted besides its time: out of the one
+/// line and into the other from any distance along them, by words of Dubins, straight or over another pose.
+std::optional<double> cheapest_tried_s(const SteeredPath& left, const SteeredPath& entered, const Ring& field,
+                                       const AllowedLand& land, const Machine& machine, double stop_s,
                                        std::mt19937_64& random) {
   const Outline outline = outline_of(machine);
   const Turning& turning = machine.turning;
@@ -195,6 +230,7 @@ std::optional<double> quickest_tried_s(const SteeredPath& left, const SteeredPat
     const Pose before = moved_on(entered.front().start, -turning.lower_m);
     const SteeredPath end = in_m > 0 ? retraced(part_of(entered, 0, in_m))
                                      : SteeredPath{arc_from(before, turning.lower_m, 0, Gear::kForward)};
+    const double stops_s = stop_s * ((out_m > 0 ? 1 : 0) + (in_m > 0 ? 1 : 0));
     const Pose from = end_of(begin), to = end.front().start;
     const Pose over{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},
                     towards_deg(uniform(random, 0, 360))};
@@ -208,7 +244,8 @@ std::optional<double> quickest_tried_s(const SteeredPath& left, const SteeredPat
         path.insert(path.end(), second.path.begin(), second.path.end());
       }
       path.insert(path.end(), end.begin(), end.end());
-      if (land.fits(path, outline)) out_s = std::min(out_s.value_or(1e9), idle_seconds(path, turning));
+      if (land.fits(path, outline))
+        out_s = std::min(out_s.value_or(1e9), stops_s + idle_seconds(path, turning));
     }
   }
   return out_s;
@@ -225,13 +262,14 @@ TEST(LeastBacking, IsNoMoreThanAnyWayTried) {
     if (!left || !entered) return;
     // A line that is entered is one that is left, driven from its end.
     const SteeredPath back = turned_round(entered->driven);
-    const LeastBacking backing(field, 0, machine);
-    const double least_s = LeastSeconds(machine).between(end_of(left->driven), back.front().start);
+    const double stop_s = any_of(random, 0, 2) * uniform(random, 0, 60);
+    const LeastBacking backing(field, 0, machine, stop_s);
+    const double least_s = LeastSeconds(machine, stop_s).between(end_of(left->driven), back.front().start);
     const double found_s = backing.between(backing.left(left->driven), backing.entered(back), least_s);
     EXPECT_GE(found_s, least_s);
     if (found_s > least_s) ++bounded;
     if (found_s == least_s) return;
-    const auto tried_s = quickest_tried_s(left->driven, back, field, land, machine, random);
+    const auto tried_s = cheapest_tried_s(left->driven, back, field, land, machine, stop_s, random);
     if (!tried_s) return;
     ++compared;
     if (left->bent || entered->bent) ++bent;

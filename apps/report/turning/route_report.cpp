@@ -25,13 +25,16 @@ ordered_json leg_json(const RouteLeg& leg, std::size_t seq) {
   return out;
 }
 
-/// What it takes at the most beyond the quickest of all routes, of that one's time. A bound of 0 says
-/// nothing.
-std::string proof_text(const Route& route, double time_s) {
-  const double bound_s = route.proof.bound_s;
+/// By how much its time, and the price of its stops to back out, are above those of the best of all routes at
+/// the most, of that one's. A bound of 0 says nothing.
+std::string proof_text(const Route& route, std::size_t back_outs) {
+  const double bound_s = route.proof.bound_s, stop_s = route.proof.stop_s;
   if (bound_s <= 0) return "";
-  return fmt::format("; at most {:.1f} % longer than the quickest",
-                     plain_zero(std::max(0.0, 100 * (time_s - bound_s) / bound_s)));
+  const double above_s = std::max(0.0, priced_time_s(route) - bound_s);
+  const std::string counted =
+      stop_s > 0 && back_outs > 0 ? fmt::format(", each stop to back out counted as {:.0f} s", stop_s) : "";
+  return fmt::format("; at most {:.1f} % {}{}", plain_zero(100 * above_s / bound_s),
+                     stop_s > 0 ? "above the best" : "longer than the quickest", counted);
 }
 
 std::string speeds_text(const Turning& turning, const RouteSums& sums) {
@@ -44,7 +47,7 @@ std::string speeds_text(const Turning& turning, const RouteSums& sums) {
 std::string first_row(const Plan& plan, const RouteSums& sums) {
   const double share = sums.length_m > 0 ? 100 * sums.not_working_m() / sums.length_m : 0;
   return fmt::format("route        {:.3f} km ({}), {:.1f} % of it not working{}\n", sums.length_m / 1e3,
-                     speeds_text(plan.machine.turning, sums), share, proof_text(plan.route, sums.time_s));
+                     speeds_text(plan.machine.turning, sums), share, proof_text(plan.route, sums.back_outs));
 }
 
 /// Which legs leave the land, and where they begin, in local metres.
@@ -159,8 +162,10 @@ ordered_json route_json(const Plan& plan) {
           {"transit_m", sums.transit_m},
           {"reverse_m", sums.reverse_m},
           {"time_s", sums.time_s},
+          {"back_outs", sums.back_outs},
+          {"stop_s", route.proof.stop_s},
           {"bound_s", route.proof.bound_s},
-          {"gap", gap(sums.time_s, route.proof.bound_s)},
+          {"gap", gap(priced_time_s(route), route.proof.bound_s)},
           {"without_room", legs_without_room(route, plan.machine)},
           {"over_worked_m", route.over_worked_m},
           {"over_unworked_m", route.over_unworked_m},

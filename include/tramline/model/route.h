@@ -36,14 +36,15 @@ struct RouteLeg {
   double lateral_error_m = 0;          ///< of a towed implement where the next work begins
 };
 
-/// Prices of the nodes of a route, which prove its bound (docs/route.md): no route over these pieces and
-/// passes, with all passes before or after the tracks as asked, takes this machine less than bound_s. Two for
-/// each line, the pieces in driving order of which crossings join several, at its start and at its end; two
-/// for each open headland pass, in the order of the passes; one for the gate at which the route starts and
-/// one for that at which it ends, where there are any; one for each closed pass that has no sharp corners, in
-/// the order of the passes.
+/// Prices of the nodes of a route, which prove its bound (docs/route.md): of no route over these pieces and
+/// passes, with all passes before or after the tracks as asked, do the time and `stop_s` for each back_out
+/// come to less than bound_s with this machine. Two for each line, the pieces in driving order of which
+/// crossings join several, at its start and at its end; two for each open headland pass, in the order of the
+/// passes; one for the gate at which the route starts and one for that at which it ends, where there are any;
+/// one for each closed pass that has no sharp corners, in the order of the passes.
 struct RouteProof {
   double bound_s = 0;
+  double stop_s = 0;  ///< what backing out counts besides its time: its price, in seconds with the work off
   std::vector<double> node_prices_s{};
 };
 
@@ -68,10 +69,14 @@ struct RouteSums {
   double transit_m = 0;
   double reverse_m = 0;  ///< the part of all that is driven in reverse
   double time_s = 0;
+  std::size_t back_outs = 0;  ///< and back into a beginning
 
   double not_working_m() const { return turning_m + transit_m; }
 };
 RouteSums sums_of(const Route& route);
+
+/// What the bound of a route is compared with: its time and RouteProof::stop_s for each back_out, s.
+double priced_time_s(const Route& route);
 
 double length(const RouteLeg& leg);
 

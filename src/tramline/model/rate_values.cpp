@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tramline {
@@ -14,6 +15,11 @@ constexpr double kHour_s = 3600;
 SecondPrices second_prices(const Rates& rates) {
   const double fuel = rates.fuel_l_per_h * rates.fuel_price;
   return {(rates.price_per_hour + fuel) / kHour_s, (rates.price_per_hour + kIdleFuelShare * fuel) / kHour_s};
+}
+
+double stop_seconds(const Rates& rates) {
+  const double second = second_prices(rates).work_off;
+  return second > 0 ? std::min(kLongestStop_s, rates.price_per_stop / second) : 0;
 }
 
 std::string fault_of(const RateNumber& number, double value) {

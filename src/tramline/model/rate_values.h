@@ -39,6 +39,11 @@ struct SecondPrices {
 };
 SecondPrices second_prices(const Rates& rates);
 
+/// What a stop to back out costs, in seconds with the work off, of rates without negative numbers; 0 where
+/// these cost nothing, and never more than kLongestStop_s, which is less than a way without room counts.
+double stop_seconds(const Rates& rates);
+inline constexpr double kLongestStop_s = 900;
+
 /// Euros per m² of land worked twice, and of land missed, of rates without negative numbers (rates_of()).
 inline double overlap_price_per_m2(const Rates& rates) {
   return rates.input_price_per_ha / rates.sections / 1e4;

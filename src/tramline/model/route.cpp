@@ -94,8 +94,14 @@ RouteSums sums_of(const Route& route) {
     share_of(out, leg.kind) += length_m;
     if (leg.gear == Gear::kReverse) out.reverse_m += length_m;
     out.time_s += leg.time_s;
+    if (leg.kind == LegKind::kBackOut) ++out.back_outs;
   }
   return out;
+}
+
+double priced_time_s(const Route& route) {
+  const RouteSums sums = sums_of(route);
+  return sums.time_s + route.proof.stop_s * static_cast<double>(sums.back_outs);
 }
 
 }  // namespace tramline

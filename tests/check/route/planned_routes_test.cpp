@@ -223,6 +223,14 @@ TEST(PlannedRoutes, hold_round_closed_passes_with_an_implement_behind_the_axle) 
     expect_route_holds(field_of(box(0, 0, 203, wide_m)), with_tractor(machine(6, 6)), whole_route(3));
 }
 
+// Passes next but one are 6 m apart, less the steps between places that planner and verifier look at: by one
+// of them more than 1.5 widths, by the other less.
+TEST(PlannedRoutes, hold_round_passes_whose_places_are_about_as_far_apart_as_are_looked_at) {
+  PlanSettings settings = whole_route(3);
+  settings.aim = Aim::kWholeCost;
+  expect_route_holds(field_of(box(0, 0, 120, 85)), machine(3, 6), settings);
+}
+
 // Its implement works behind the axle: where the axle comes out of the corner of a pass, r = 6 m, the rear
 // corner of the bar, 3 m behind and 3 m beside it, is farther from the middle of the arc than the boundary, 6
 // m + 3 m.

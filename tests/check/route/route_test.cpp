@@ -262,6 +262,21 @@ TEST(CheckedRoute, has_a_bound_below_its_time_and_a_price_for_each_node) {
   expect_only(plan, "route bound");
 }
 
+// The route backs out once: the stop counts in the route as well as in its bound.
+TEST(CheckedRoute, counts_stops_as_its_bound_does) {
+  Plan plan = route_plan();
+  plan.route.proof.stop_s = 100;
+  plan.route.proof.bound_s = time_of(plan) + 99;
+  EXPECT_EQ(texts(plan).find("less than its bound"), std::string::npos);
+  plan.route.proof.bound_s = time_of(plan) + 101;
+  EXPECT_NE(texts(plan).find("less than its bound"), std::string::npos);
+  for (const double stop_s : {-1.0, 901.0, std::nan("")}) {
+    plan = route_plan();
+    plan.route.proof.stop_s = stop_s;
+    expect_only(plan, "route bound");
+  }
+}
+
 // Independent roads to the same lengths.
 TEST(CheckedRoute, shortest_ways_equal_those_of_manoeuvres) {
   for (int seed = 0; seed < 100000; ++seed) {

@@ -108,6 +108,29 @@ TEST(ClaimsOfWholeCosts, OtherWorkIsFound) {
   EXPECT_EQ(with([](Plan& p) { p.tally.uncovered_m2 = 0; }), kFound);
 }
 
+// An hour with the work off takes 60 € and 20 l/h · ½ · 1.50 € = 15 €: 7 € are 336 s of it.
+TEST(ClaimsOfWholeCosts, WhatAStopCountsInTheBoundIsItsPrice) {
+  const auto counted = [](double stop_s) {
+    Plan plan = an_hour();
+    plan.route.proof.stop_s = stop_s;
+    return found_in(plan, of_an_hour());
+  };
+  EXPECT_EQ(counted(336), Names{});
+  EXPECT_EQ(counted(0), Names{});  // a bound of the time alone
+  EXPECT_EQ(counted(335), kFound);
+  EXPECT_EQ(counted(std::numeric_limits<double>::quiet_NaN()), kFound);
+  // No stop counts more than a quarter of an hour.
+  Plan dear = an_hour();
+  dear.machine.rates.price_per_stop = 30;
+  StatedCost stated = of_an_hour();
+  stated.rates.price_per_stop = 30;
+  stated.euros += 23;
+  dear.route.proof.stop_s = 900;
+  EXPECT_EQ(found_in(dear, stated), Names{});
+  dear.route.proof.stop_s = 1440;
+  EXPECT_EQ(found_in(dear, stated), kFound);
+}
+
 // Nothing was backed out of, worked twice or missed: prices of these are not to be found in the total.
 TEST(ClaimsOfWholeCosts, PricesWithoutEffectAreNamed) {
   Plan plan = an_hour();
@@ -119,6 +142,9 @@ TEST(ClaimsOfWholeCosts, PricesWithoutEffectAreNamed) {
   EXPECT_EQ(check::rates_without_effect(plan, stated),
             (std::vector<std::string>{"whole_cost.rates.sections", "whole_cost.rates.input_price_per_ha",
                                       "whole_cost.rates.margin_per_ha", "whole_cost.rates.price_per_stop"}));
+  // But for that of a stop where the bound of the route counts it.
+  plan.route.proof.stop_s = 336;
+  EXPECT_EQ(check::rates_without_effect(plan, stated).size(), 3U);
 }
 
 TEST(ClaimsOfWholeCosts, ComeBackFromAFileAndAreNotMissedInOlderOnes) {

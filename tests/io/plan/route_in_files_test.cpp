@@ -56,7 +56,7 @@ Plan plan_with_route() {
   legs.push_back(leg(LegKind::kTransit, false, {}, 0));
   legs.push_back(leg(LegKind::kHeadland, true, {straight({0, 0.5}, 90, 100)}, 100.0 / 3));
   legs.back().pass = 0;
-  plan.route.proof = {98.7 + 1.0 / 3, {-0.1, 1.0 / 3, 0, 2e-17}};
+  plan.route.proof = {98.7 + 1.0 / 3, 12.3 + 1.0 / 3, {-0.1, 1.0 / 3, 0, 2e-17}};
   plan.route.over_worked_m = 1.0 / 3;
   plan.route.over_unworked_m = 2.0 / 3;
   plan.route.over_tracks_m = 0.1;
@@ -130,6 +130,7 @@ TEST_F(RouteInFiles, LegsComeBackToTheBit) {
     expect_equal(a.path, b.path);
   }
   EXPECT_EQ(read.proof.bound_s, written.proof.bound_s);
+  EXPECT_EQ(read.proof.stop_s, written.proof.stop_s);
   EXPECT_EQ(read.proof.node_prices_s, written.proof.node_prices_s);
   EXPECT_EQ(read.over_worked_m, written.over_worked_m);
   EXPECT_EQ(read.over_unworked_m, written.over_unworked_m);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/model/rate_values.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/whole/route_floor.h"
 #include "tramline/planner/whole/track_prices.h"
@@ -68,6 +69,16 @@ TEST(WholeCost, IsWhatIsCalculatedByHand) {
 }
 
 // Two legs that leave the land count 50 € each, which is not time.
+// 60 €/h and half of 20 l/h at 1.50 €/l are 75 € an hour with the work off: 7 € are 336 s of it.
+TEST(StopSeconds, AreThePriceOfAStopInTimeWithTheWorkOff) {
+  Rates rates{Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000, 7};
+  EXPECT_DOUBLE_EQ(stop_seconds(rates), 336);
+  rates.price_per_stop = 100;
+  EXPECT_EQ(stop_seconds(rates), kLongestStop_s);
+  rates.price_per_hour = rates.fuel_price = 0;  // time costs nothing
+  EXPECT_EQ(stop_seconds(rates), 0);
+}
+
 TEST(WholeCost, CountsLegsWithoutRoom) {
   Plan plan;
   plan.field = bare_field(100, 100);

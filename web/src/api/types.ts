@@ -268,7 +268,10 @@ export interface Route {
   length_m: number;
   reverse_m: number;
   time_s: number;
-  /** No route over the same tracks and passes takes this machine less. */
+  back_outs: number;
+  /** What each of them counts in the bound besides its time. */
+  stop_s: number;
+  /** What time and stops come to at least on every route over the same tracks and passes. */
   bound_s: number;
   gap: number;
   without_room: number;

@@ -50,10 +50,22 @@ class CostComparison {
     compare("euros", stated_.euros,
             hours * rates.price_per_hour + litres * rates.fuel_price + driven.stops * rates.price_per_stop +
                 driven.without_room * kLegWithoutRoom + euros_of_land());
+    compare_stop();
     return std::move(out_);
   }
 
  private:
+  /// A stop counts its price in the bound of the route, or nothing where the route was to take little time.
+  void compare_stop() {
+    const Rates& rates = stated_.rates;
+    const double second =
+        (rates.price_per_hour + kWorkOffFuel * rates.fuel_l_per_h * rates.fuel_price) / kHour_s;
+    const double counted_s = plan_.route.proof.stop_s;
+    if (counted_s != 0)
+      compare("s for each stop in its bound", counted_s,
+              second > 0 ? std::min(kLongestStop_s, rates.price_per_stop / second) : 0);
+  }
+
   double euros_of_land() const {
     const Rates& rates = stated_.rates;
     const double twice_ha = plan_.tally.overlap_m2 / kHectare_m2,
@@ -117,7 +129,7 @@ std::vector<std::string> rates_without_effect(const Plan& plan, const StatedCost
   add(&Rates::sections, plan.tally.overlap_m2 > 0 && rates.input_price_per_ha > 0);
   add(&Rates::input_price_per_ha, plan.tally.overlap_m2 > 0);
   add(&Rates::margin_per_ha, plan.tally.uncovered_m2 > 0 || crop_pressed);
-  add(&Rates::price_per_stop, driven.stops > 0);
+  add(&Rates::price_per_stop, driven.stops > 0 || plan.route.proof.stop_s > 0);
   return out;
 }
 

@@ -20,6 +20,7 @@ constexpr const char* kSequence = "settings.route.sequence";
 constexpr const char* kStart = "settings.route.start";
 constexpr const char* kEnd = "settings.route.end";
 constexpr const char* kBound = "route.bound_s";
+constexpr const char* kStop = "route.stop_s";  // not in plans whose bounds are of the time alone
 constexpr const char* kNodePrices = "route.node_prices_s";
 constexpr const char* kOverWorked = "route.over_worked_m";
 constexpr const char* kOverUnworked = "route.over_unworked_m";
@@ -120,6 +121,7 @@ void write_route_values(const Plan& plan, Metadata& out) {
   const KeyWriter writer(out);
   const Route& route = plan.route;
   writer(kBound, route.proof.bound_s);
+  writer(kStop, route.proof.stop_s);
   nlohmann::json prices = nlohmann::json::array();
   for (const double price_s : route.proof.node_prices_s) prices.push_back(plain_zero(price_s));
   out[kNodePrices] = prices.dump();
@@ -140,6 +142,7 @@ void apply_route_values(const Metadata& metadata, const std::filesystem::path& f
   values.gate(kEnd, offset, settings.end);
   if (!values.has(kBound)) return;
   plan.route.proof.bound_s = values.number(kBound);
+  if (values.has(kStop)) plan.route.proof.stop_s = values.number(kStop);
   plan.route.proof.node_prices_s = values.numbers(kNodePrices);
   plan.route.over_worked_m = values.number(kOverWorked);
   plan.route.over_unworked_m = values.number(kOverUnworked);

@@ -4,12 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/route/axle/axle_path.h"
-#include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 #include "tramline/turns/outline/outline.h"
 
@@ -22,21 +20,13 @@ constexpr double kTouching_m = 0.05;
 constexpr double kBent = 0.5;
 /// Headings parallel to a side to this sine do not lead to it.
 constexpr double kParallel = 1e-6;
-/// Distances backed are divided down to so much, m.
-constexpr double kLeastDivided_m = 0.05;
-/// Where so many divisions do not tell, nothing is known.
-constexpr int kMostDivided = 10000;
 /// Stretches meet without a kink where their headings differ by no more than this sine, and are no sharper
 /// than the machine turns where their radii are no less than its own by more than this share.
 constexpr double kNoKink = 1e-6, kSharper = 1e-6;
 /// A side is far enough where no more than this is lacking, m.
 constexpr double kFarEnough_m = 1e-3;
 
-constexpr double kNever_s = std::numeric_limits<double>::infinity();
-
-Pose backed(const LineExit& exit, double by_m) {
-  return exit.line.empty() ? exit.pose : pose_on(exit.line, by_m);
-}
+constexpr double kNever_s = std::numeric_limits<double>::infinity(), kNowhere_m = kNever_s;
 
 bool straight(const SteeredStretch& stretch) {
   return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
@@ -76,10 +66,11 @@ Needed needed_of(const LineExit& exit, const LineExit& other) {
 
 }  // namespace
 
-LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& machine)
-    : turning_(machine.turning), radius_m_(std::max(machine.radius_m, kLeastRadius_m)) {
+LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& machine, double stop_s)
+    : terms_{machine.turning, 2 * machine.turning.gear_change_s + stop_s,
+             std::max(machine.radius_m, kLeastRadius_m)} {
   const Outline outline = outline_of(machine);
-  assert(!outline.tows() && !turning_.reverse);
+  assert(!outline.tows() && !terms_.turning.reverse);
   double left_m = 0, right_m = 0;
   reach_m_ = 0;
   for (const Box& box : outline.on_machine) {
@@ -105,7 +96,7 @@ double LeastBacking::lacks_m(const Side& side, const Pose& pose, double backing,
   const Point ahead = -backing * pose.heading.unit();
   if (-dot(ahead, side.inwards) <= kParallel) return 0;
   const double along = std::abs(cross(ahead, side.inwards));
-  const double nearer_m = radius_m_ * (turned == Turned::kLeast ? 1 - along : 1 + along);
+  const double nearer_m = terms_.radius_m * (turned == Turned::kLeast ? 1 - along : 1 + along);
   return std::max(0.0, aside_m_ + nearer_m - kTouching_m - dot(pose.at - side.at, side.inwards));
 }
 
@@ -123,7 +114,7 @@ double LeastBacking::back_m(const Side& side, const LineExit& exit, Turned turne
     }
     begins_m += stretch.length_m;
   }
-  return begins_m;
+  return kNowhere_m;
 }
 
 /// What is driven from the exit on, back out of an end or into a beginning.
@@ -138,7 +129,7 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
     const double sharpest =
         std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
     if (stretch.clothoid() || bent(stretch.start, before) > kNoKink) break;
-    if (sharpest * radius_m_ > 1 + kSharper) break;
+    if (sharpest * terms_.radius_m > 1 + kSharper) break;
     if (std::max(bent(stretch.start, ahead), bent(end, ahead)) > kBent) break;
     out.bent = std::max(out.bent, bent(end, ahead));
     out.line.push_back(stretch);
@@ -150,24 +141,35 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
   for (const Side& side : sides_) {
     if (lacks_m(side, lifted, backing, Turned::kLeast) > 0)
       out.near.push_back({side.inwards, back_m(side, out, Turned::kLeast)});
-    if (out.bent > 0 || !(lacks_m(side, lifted, backing, Turned::kOtherWay) > 0)) continue;
+    if (out.bent > 0) continue;
     const Point left_along = left_of(side.inwards);
     const Point along = dot(off, left_along) >= 0 ? left_along : -1 * left_along;
     if (dot(off, along) < kParallel) continue;  // straight at it: no way is shorter
-    out.one_way.push_back({side.inwards, along, std::acos(std::min(1.0, dot(off, along))),
-                           back_m(side, out, Turned::kOtherWay)});
+    if (std::abs(dot(off, side.inwards)) <= kParallel)
+      out.one_way.push_back({side.inwards, along, 0, kNowhere_m});
+    else if (lacks_m(side, lifted, backing, Turned::kOtherWay) > 0)
+      out.one_way.push_back({side.inwards, along, std::acos(std::min(1.0, dot(off, along))),
+                             back_m(side, out, Turned::kOtherWay)});
   }
   return out;
 }
 
-LineExit LeastBacking::left(const SteeredPath& work) const {
-  assert(!work.empty());
-  return exit_of(retraced(work), -1, turning_.lift_m);
+LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double straight_on_m) const {
+  LineExits out{exit_of(line, backing, straight_on_m)};
+  const auto bend = std::ranges::find_if_not(line, straight);
+  if (out.whole.bent > 0 && bend != line.begin())
+    out.straight = exit_of(SteeredPath(line.begin(), bend), backing, straight_on_m);
+  return out;
 }
 
-LineExit LeastBacking::entered(const SteeredPath& work) const {
+LineExits LeastBacking::left(const SteeredPath& work) const {
   assert(!work.empty());
-  return exit_of(work, 1, turning_.lower_m);
+  return exits_of(retraced(work), -1, terms_.turning.lift_m);
+}
+
+LineExits LeastBacking::entered(const SteeredPath& work) const {
+  assert(!work.empty());
+  return exits_of(work, 1, terms_.turning.lower_m);
 }
 
 /// The least that an outline takes up across a strip and turns by across it, from a heading to the opposite
@@ -178,71 +180,11 @@ LeastBacking::Along LeastBacking::on_strip(const LineExit& left, const LineExit&
   const double aslant_to = std::abs(cross(to, strip_.along)) + entered.bent;
   if (std::max(aslant, aslant_to) >= 1) return Along::kFree;
   const double along = std::sqrt(1 - aslant * aslant) + std::sqrt(1 - aslant_to * aslant_to);
-  const double turning_m = (radius_m_ + aside_m_) * along - reach_m_ * (aslant + aslant_to) - kTouching_m;
+  const double turning_m =
+      (terms_.radius_m + aside_m_) * along - reach_m_ * (aslant + aslant_to) - kTouching_m;
   if (strip_.width_m >= turning_m) return Along::kFree;
   return (dot(from, strip_.along) > 0) == (dot(to, strip_.along) > 0) ? Along::kSameWay
                                                                       : Along::kOppositeWays;
-}
-
-double LeastBacking::forward_m(const LineExit& left, const LineExit& entered, const Backed& all, double out_m,
-                               double in_m) const {
-  const double lift_m = all.out ? 0 : turning_.lift_m, lower_m = all.in ? 0 : turning_.lower_m;
-  return lift_m + lower_m +
-         dubins_length(moved_on(backed(left, out_m), lift_m), moved_on(backed(entered, in_m), -lower_m),
-                       radius_m_);
-}
-
-/// Where it backs out and in and goes nowhere between it changes gear once less.
-double LeastBacking::seconds(const Backed& all, double back_m, double forward_m) const {
-  const bool both = all.out && all.in && forward_m > 0;
-  const int changes = all.out || all.in ? (both ? 4 : 2) : 0;
-  return changes * turning_.gear_change_s + std::max(back_m, all.in_all) / turning_.reverse_speed_mps +
-         std::max(0.0, forward_m) / turning_.turning_speed_mps;
-}
-
-double LeastBacking::less_s(double found_s) { return std::max(kDivided_s, kDividedShare * found_s); }
-
-/// By halving the distances backed (branch and bound). From farther back the machine could drive forward to
-/// where it would have been, so the way from there is longer by no more than that.
-double LeastBacking::least_of(const LineExit& left, const LineExit& entered, Backed all,
-                              double known_s) const {
-  if (all.out_from > all.out_to || all.in_from > all.in_to) return kNever_s;
-  double least_s = kNever_s, found_s = known_s + less_s(known_s);
-  const auto try_at = [&](const Backed& part, double out_m, double in_m) {
-    if (out_m + in_m < all.in_all) return;
-    found_s = std::min(found_s, seconds(part, out_m + in_m, forward_m(left, entered, part, out_m, in_m)));
-  };
-  const double least_in_all_m = std::max(all.in_all, all.out_from + all.in_from);
-  const double out_first_m = std::min(all.out_to, least_in_all_m - all.in_from);
-  if (least_in_all_m - out_first_m > all.in_to) return kNever_s;
-  try_at(all, out_first_m, least_in_all_m - out_first_m);
-  const double more_m = std::max(0.0, found_s - seconds(all, least_in_all_m, 0)) * turning_.reverse_speed_mps;
-  all.out_to = std::min(all.out_to, least_in_all_m - all.in_from + more_m);
-  all.in_to = std::min(all.in_to, least_in_all_m - all.out_from + more_m);
-  std::vector<Backed> open{all};
-  for (int divided = 0; !open.empty(); ++divided) {
-    if (divided > kMostDivided) return 0;
-    const Backed part = open.back();
-    open.pop_back();
-    if (part.out_to + part.in_to < part.in_all) continue;
-    const double out_m = part.out_to - part.out_from, in_m = part.in_to - part.in_from;
-    const double farthest_m = forward_m(left, entered, part, part.out_to, part.in_to);
-    const double at_least_s = seconds(part, part.out_from + part.in_from, farthest_m - out_m - in_m);
-    if (at_least_s >= found_s - less_s(found_s)) continue;
-    if (std::max(out_m, in_m) < kLeastDivided_m) {
-      least_s = std::min(least_s, at_least_s);
-      continue;
-    }
-    Backed near = part, far = part;
-    if (out_m > in_m)
-      near.out_to = far.out_from = part.out_from + 0.5 * out_m;
-    else
-      near.in_to = far.in_from = part.in_from + 0.5 * in_m;
-    try_at(far, far.out_from, far.in_from);
-    open.push_back(far);
-    open.push_back(near);
-  }
-  return std::min(least_s, found_s - less_s(found_s));
 }
 
 /// How far the beginning lies behind the end along the strip; 0 where it does not.
@@ -252,99 +194,45 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
 }
 
 /// Ways that back no farther than the lines are followed.
-double LeastBacking::least_along(const LineExit& left, const LineExit& entered, Along along) const {
+double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
+                                 Along along) const {
   if (along == Along::kOppositeWays) return kNever_s;
   const Needed at_left = needed_of(left, entered), at_entered = needed_of(entered, left);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
-  const double turning_s =
-      least_of_all(left, entered, {at_left.back_m, at_entered.back_m, in_all_m}, kNever_s);
+  const double turning_s = ways.least_s({at_left.back_m, at_entered.back_m, in_all_m}, kNever_s);
   const double or_in_all_m = std::min(at_left.or_in_all_m, at_entered.or_in_all_m);
   if (or_in_all_m == kNever_s) return turning_s;
-  return least_of_all(left, entered, {{}, {}, std::max(in_all_m, or_in_all_m)}, turning_s);
-}
-
-/// Backing out or in or both, as the land asks for; `known_s` where none of these takes less.
-double LeastBacking::least_of_all(const LineExit& left, const LineExit& entered, const Asked& asked,
-                                  double known_s) const {
-  for (const bool out : {false, true})
-    for (const bool in : {false, true}) {
-      if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
-      Backed all;
-      all.out = out;
-      all.in = in;
-      all.in_all = asked.in_all_m;
-      if (out) all.out_from = asked.out_m.value_or(0), all.out_to = left.length_m;
-      if (in) all.in_from = asked.in_m.value_or(0), all.in_to = entered.length_m;
-      known_s = std::min(known_s, least_of(left, entered, all, known_s));
-    }
-  return known_s;
-}
-
-/// The least length between ends that both turn to the same heading along a side. Measured from that heading
-/// towards the side the machine turns from φ to 0 and to −π and then back by φ' of the other end, or from φ
-/// to 0 and then on to π + φ'; any more turns come on top. A path through these headings θ is no shorter than
-/// r Θ + |d − r V|, Θ being all it turns by, V the sum of the headings' unit vectors over that, and d where
-/// it leads: its length is ∫(1 − p·h) ds + p·d for any p, of which for |p| ≤ 1 the first part is least where
-/// it turns at radius r, and that is greatest for p along d − r V.
-double LeastBacking::loop_m(const LineExit& left, const OneWaySide& leaves, const LineExit& entered,
-                            const OneWaySide& enters) const {
-  const Point u = leaves.along, w = -1 * leaves.inwards;
-  const Point leads = moved_on(entered.pose, -turning_.lower_m).at - moved_on(left.pose, turning_.lift_m).at;
-  const double a = leaves.angle, b = enters.angle, turned = std::numbers::pi + a + b;
-  const Point across = (std::sin(a) - std::sin(b)) * u;
-  const Point away = across - (2 + std::cos(a) - std::cos(b)) * w;
-  const Point towards = across + (2 - std::cos(a) + std::cos(b)) * w;
-  const double straight_m = std::min(distance(leads, radius_m_ * away), distance(leads, radius_m_ * towards));
-  return radius_m_ * turned + straight_m;
-}
-
-/// Ways between ends that turn to the same heading along a side: a loop, or back until one of them could turn
-/// the other way.
-double LeastBacking::least_loop(const LineExit& left, const LineExit& entered, double known_s) const {
-  const double lifts_m = turning_.lift_m + turning_.lower_m, turning_mps = turning_.turning_speed_mps;
-  double out_s = known_s;
-  for (const OneWaySide& leaves : left.one_way)
-    for (const OneWaySide& enters : entered.one_way) {
-      if (!(leaves.inwards == enters.inwards) || dot(leaves.along, enters.along) < 0) continue;
-      const double turning_m = loop_m(left, leaves, entered, enters);
-      const double loop_s = (lifts_m + turning_m) / turning_mps;
-      if (loop_s <= out_s) continue;
-      // Where it backs less far than that, a loop is shorter by no more than it backs and the lifting lines.
-      const double backed_m =
-          std::min(leaves.back_m, left.length_m) + std::min(enters.back_m, entered.length_m);
-      const double gained_s = std::max(0.0, 1 / turning_mps - 1 / turning_.reverse_speed_mps) * backed_m;
-      const double backing_s = 2 * turning_.gear_change_s + (turning_m - lifts_m) / turning_mps - gained_s;
-      double least_s = std::min(loop_s, backing_s);
-      if (least_s <= out_s) continue;
-      least_s = least_of_all(left, entered, {leaves.back_m, {}, 0}, least_s);
-      least_s = least_of_all(left, entered, {{}, enters.back_m, 0}, least_s);
-      out_s = std::max(out_s, least_s);
-    }
-  return out_s;
+  return ways.least_s({{}, {}, std::max(in_all_m, or_in_all_m)}, turning_s);
 }
 
 /// Ways that back farther along one of them, by whatever way from there.
 double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
-  const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
+  const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
   const auto rest_s = [&](const Pose& from, const Pose& to) {
-    return reeds_shepp_length(from, to, radius_m_) / fastest_mps;
+    return reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps;
   };
   const double out_s =
-      left.length_m / turning_.reverse_speed_mps + rest_s(backed(left, left.length_m), entered.pose);
-  const double in_s =
-      entered.length_m / turning_.reverse_speed_mps + rest_s(left.pose, backed(entered, entered.length_m));
-  return 2 * turning_.gear_change_s + std::min(out_s, in_s);
+      left.length_m / terms_.turning.reverse_speed_mps + rest_s(backed(left, left.length_m), entered.pose);
+  const double in_s = entered.length_m / terms_.turning.reverse_speed_mps +
+                      rest_s(left.pose, backed(entered, entered.length_m));
+  return terms_.stop_s + std::min(out_s, in_s);
 }
 
-double LeastBacking::between(const LineExit& left, const LineExit& entered, double known_s) const {
+double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
+  const double least_s = least_between(left.whole, entered.whole, known_s);
+  if (!left.straight && !entered.straight) return least_s;
+  return least_between(left.straight.value_or(left.whole), entered.straight.value_or(entered.whole), least_s);
+}
+
+double LeastBacking::least_between(const LineExit& left, const LineExit& entered, double known_s) const {
   const Along along = on_strip(left, entered);
-  const bool free =
-      along == Along::kFree && !needed_of(left, entered).back_m && !needed_of(entered, left).back_m;
-  if (free && (left.one_way.empty() || entered.one_way.empty())) return known_s;
+  const BackedWays ways(terms_, left, entered);
+  if (along == Along::kFree && !ways.loop() && !needed_of(left, entered).back_m &&
+      !needed_of(entered, left).back_m)
+    return known_s;
   const double beyond_s = least_beyond(left, entered);
   if (beyond_s <= known_s) return known_s;
-  const double along_s = free ? known_s : std::max(known_s, least_along(left, entered, along) - kDivided_s);
-  return std::max(known_s, std::min(beyond_s - kDivided_s, least_loop(left, entered, along_s)));
+  return std::max(known_s, std::min(beyond_s, least_along(ways, left, entered, along)) - kDivided_s);
 }
 
 }  // namespace tramline

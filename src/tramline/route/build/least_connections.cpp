@@ -29,8 +29,8 @@ LeastConnections::LeastConnections(RouteMembers members, double width_m, const L
     left_.push_back(pose_left_by(line, end));
     entered_.push_back(pose_entered_by(line, end));
     if (!backing_) continue;
-    exit_left_.push_back(backing_->left(line.left_by(end).last));
-    exit_entered_.push_back(backing_->entered(line.entered_by(end).first));
+    exits_left_.push_back(backing_->left(line.left_by(end).last));
+    exits_entered_.push_back(backing_->entered(line.entered_by(end).first));
   }
   same_both_ways_ =
       least.lift_m() == least.lower_m() && std::ranges::equal(left_, entered_, {}, &Pose::at, &Pose::at);
@@ -51,7 +51,7 @@ double LeastConnections::between(std::size_t a, std::size_t b) const {
 
 double LeastConnections::one_way(std::size_t left, std::size_t entered) const {
   const double least_s = least_.between(left_[left], entered_[entered]);
-  return backing_ ? backing_->between(exit_left_[left], exit_entered_[entered], least_s) : least_s;
+  return backing_ ? backing_->between(exits_left_[left], exits_entered_[entered], least_s) : least_s;
 }
 
 double LeastConnections::least(std::size_t a, std::size_t b) const {

@@ -70,8 +70,8 @@ class LeastConnections final : public order::ConnectionBounds {
   std::vector<Pose> entered_;    ///< by end
   bool same_both_ways_ = false;  ///< what is driven from the end of a way takes as long
   // The same as LeastBacking knows them, by end, where there is one.
-  std::vector<LineExit> exit_left_;
-  std::vector<LineExit> exit_entered_;
+  std::vector<LineExits> exits_left_;
+  std::vector<LineExits> exits_entered_;
   // By ring and node: from it, m, and the least time, s, once it was asked for.
   std::vector<std::vector<double>> apart_m_;
   mutable std::vector<std::vector<double>> known_s_;

@@ -9,10 +9,11 @@
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
-LeastSeconds::LeastSeconds(const Machine& machine)
+LeastSeconds::LeastSeconds(const Machine& machine, double stop_s)
     : turning_(machine.turning),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
       reverses_(!outline_of(machine).tows()),
+      changes_s_(2 * turning_.gear_change_s + (turning_.reverse ? 0 : stop_s)),
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps) {}
 
@@ -33,15 +34,14 @@ double LeastSeconds::between(const Pose& left, const Pose& entered) const {
 double LeastSeconds::between(const Pose& left, double lift_m, const Pose& entered, double lower_m,
                              double known_s) const {
   const double least_m = least_length(left, entered, radius_m_);
-  const double changes_s = 2 * turning_.gear_change_s;
   const double least_forward_s = least_m / turning_.turning_speed_mps;
-  const double reversing_s = changes_s + least_m / fastest_mps_;
+  const double reversing_s = changes_s_ + least_m / fastest_mps_;
   if (reverses_ ? std::min(least_forward_s, reversing_s) >= known_s : least_forward_s >= known_s)
     return known_s;
   const double forward_s = forward(left, lift_m, entered, lower_m);
   if (!reverses_) return forward_s;
   if (reversing_s >= std::min(forward_s, known_s)) return std::min(forward_s, reversing_s);
-  return std::min(forward_s, changes_s + reeds_shepp_length(left, entered, radius_m_) / fastest_mps_);
+  return std::min(forward_s, changes_s_ + reeds_shepp_length(left, entered, radius_m_) / fastest_mps_);
 }
 
 double LeastSeconds::crude(const Pose& left, const Pose& entered) const {

@@ -10,10 +10,11 @@ namespace tramline {
 /// Lower bounds of the time of ways with the work off, whatever the land: forwards a shortest Dubins path
 /// between the straight lines on which the implement is lifted and lowered; with reversing a shortest path of
 /// Reeds and Shepp (1990) at the higher speed and two changes of gear, which a machine with a drawbar in tow
-/// cannot drive.
+/// cannot drive. One that does not turn in reverse pays for a stop then.
 class LeastSeconds {
  public:
-  explicit LeastSeconds(const Machine& machine);
+  /// `stop_s`: what a stop to back out counts besides its time.
+  explicit LeastSeconds(const Machine& machine, double stop_s = 0);
 
   /// From the axle's pose where one work ends to that where another begins. O(1), allocates nothing.
   double between(const Pose& left, const Pose& entered) const;
@@ -38,6 +39,7 @@ class LeastSeconds {
   Turning turning_;
   double radius_m_;
   bool reverses_;
+  double changes_s_;  ///< of gear, and the stop
   double fastest_mps_;
 };
 

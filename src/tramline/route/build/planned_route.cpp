@@ -20,8 +20,6 @@ namespace {
 /// Poses of the roadmap are so far apart, as a share of the radius, and at least kLeastSpacing_m.
 constexpr double kRoadmapSpacing_radii = 0.75;
 constexpr double kLeastSpacing_m = 2;
-/// No stop counts more than this: less than a way without room.
-constexpr double kLongestStop_s = 900;
 
 std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   std::vector<TrackPiece> out;
@@ -34,15 +32,6 @@ bool machine_is_its_bar(const Machine& machine) {
   const Turning& turning = machine.turning;
   return reach_back_m(turning) == 0 && turning.drawbar_m == 0 && turning.front_overhang_m == 0 &&
          turning.rear_overhang_m == 0;
-}
-
-/// What a stop costs, in seconds on the way, where the plan is to cost little rather than to take little
-/// time.
-double stop_seconds(const RouteTask& task) {
-  if (task.settings.aim != Aim::kWholeCost) return 0;
-  const Rates rates = rates_of(task.machine);
-  const double second = second_prices(rates).work_off;
-  return second > 0 ? std::min(kLongestStop_s, rates.price_per_stop / second) : 0;
 }
 
 /// Where nothing reaches out, what is driven from the end of a way sweeps the same land.
@@ -72,7 +61,7 @@ class RoutePlanner {
         turning_(task.machine.turning),
         ground_(task.turning_land, task.field, task.machine, task.body),
         roadmap_([this] { return roadmap(); }, ground_),
-        connector_(ground_, roadmap_, {task.settings.towing_error_m, stop_seconds(task)}),
+        connector_(ground_, roadmap_, {task.settings.towing_error_m, counted_stop_s(task)}),
         least_(task.machine),
         entries_(entries_by_pass(task.headland, task.machine)),
         legs_(task.field, turning_) {
@@ -303,6 +292,10 @@ class RoutePlanner {
 };
 
 }  // namespace
+
+double counted_stop_s(const RouteTask& task) {
+  return task.settings.aim == Aim::kWholeCost ? stop_seconds(rates_of(task.machine)) : 0;
+}
 
 PlannedRoute planned_route(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
                            const std::vector<order::Tour>& given) {

@@ -22,6 +22,10 @@ struct RouteTask {
   const AllowedLand& turning_land;  ///< turning_land()
 };
 
+/// What a stop to back out counts in the order of a route and in its bound, s: stop_seconds() where the plan
+/// is to cost little, and 0 where it is to take little time.
+double counted_stop_s(const RouteTask& task);
+
 struct PlannedRoute {
   order::Tour tour;  ///< over the lines
   std::vector<RouteLeg> legs;

@@ -97,25 +97,26 @@ double fixed_seconds(const std::vector<RouteLeg>& legs, const std::vector<order:
 }
 
 /// Where all ways have room: a route that leaves the land is not bounded by its sides.
-std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& route) {
+std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& route, double stop_s) {
   const std::optional<double> beyond_m = land_beyond_m(task.settings);
   if (!beyond_m || task.machine.turning.reverse || outline_of(task.machine).tows()) return std::nullopt;
   for (const RouteLeg& leg : route.legs)
     if (leg.missing_m > 0) return std::nullopt;
-  return LeastBacking(task.field.outer, *beyond_m, task.machine);
+  return LeastBacking(task.field.outer, *beyond_m, task.machine, stop_s);
 }
 
 }  // namespace
 
 RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
                        const order::Tour& tour, const Route& route) {
-  const LeastSeconds least(task.machine);
   RouteProof out;
+  out.stop_s = counted_stop_s(task);
+  const LeastSeconds least(task.machine, out.stop_s);
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
-  double whole_s = 0;
-  for (const RouteLeg& leg : route.legs) whole_s += leg.time_s;
+  const RouteSums sums = sums_of(route);
+  const double whole_s = sums.time_s + out.stop_s * static_cast<double>(sums.back_outs);
   const LeastConnections bounds(members_of_proof(task, lines, tour, route), task.machine.width_m, least,
-                                least_backing(task, route));
+                                least_backing(task, route, out.stop_s));
   if (bounds.lines() + bounds.rings() == 0) {
     out.bound_s = fixed_s;
     return out;

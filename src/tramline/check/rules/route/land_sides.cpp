@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <queue>
 
 #include "tramline/check/turning/driven_machine.h"
 #include "tramline/check/turning/shortest_ways.h"
@@ -21,11 +19,6 @@ constexpr double kKink = 1e-6, kSharperShare = 1e-6;
 /// Lines that turn by no more than rounding, as a sine.
 constexpr double kStraight = 1e-9;
 constexpr double kEnough_m = 1e-6;
-constexpr double kFoundTo_s = 0.02, kFoundToShare = 0.001;
-constexpr double kSmallest_m = 0.01;
-/// Where so many parts do not tell, as with speeds that no machine has, what they are known to take counts.
-constexpr int kMostParts = 20000;
-
 /// The corners of the convex hull, anticlockwise, by going round it (Jarvis 1973).
 Ring corners_of_hull(const Ring& ring) {
   const auto lower = [](Point a, Point b) { return a.y < b.y || (a.y == b.y && a.x < b.x); };
@@ -70,20 +63,6 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   return out;
 }
 
-/// Distances backed, out of one line and into the other.
-struct Distances {
-  double out_m = 0, in_m = 0;
-};
-struct Range {
-  Distances least, most;
-  bool out = false, in = false;
-  double together_m = 0;  ///< both at least
-  double at_least_s = 0;
-};
-struct Later {
-  bool operator()(const Range& a, const Range& b) const { return a.at_least_s > b.at_least_s; }
-};
-
 struct Asked {
   std::optional<double> back_m{};
   double instead_m = kNever_s;  ///< or at both ends together
@@ -105,80 +84,7 @@ Asked asked(const WayEnd& end, const WayEnd& other) {
   return out;
 }
 
-/// The least of ways that back out and in by distances in some ranges, the most promising split first.
-struct Search {
-  const Turning& turning;
-  double radius_m;
-  const WayEnd& from;
-  const WayEnd& to;
-  std::priority_queue<Range, std::vector<Range>, Later> open{};
-  double found_s = kNever_s;
-
-  double forward_m(const Range& range, const Distances& at) const {
-    const double lift_m = range.out ? 0 : turning.lift_m, lower_m = range.in ? 0 : turning.lower_m;
-    const Pose begins = moved_on(from.backed(at.out_m), lift_m),
-               ends = moved_on(to.backed(at.in_m), -lower_m);
-    return lift_m + lower_m + least_forward_m(begins, ends, radius_m);
-  }
-
-  double seconds(const Range& range, const Distances& at, double ahead_m) const {
-    const int changes = range.out && range.in && ahead_m > 0 ? 4 : range.out || range.in ? 2 : 0;
-    return changes * turning.gear_change_s +
-           std::max(at.out_m + at.in_m, range.together_m) / turning.reverse_speed_mps +
-           std::max(0.0, ahead_m) / turning.turning_speed_mps;
-  }
-
-  /// Where it backed less far, the machine could come forward to from farther back.
-  void push(Range range) {
-    if (range.most.out_m + range.most.in_m < range.together_m) return;
-    const double spans_m = range.most.out_m - range.least.out_m + range.most.in_m - range.least.in_m;
-    const double farthest_m = forward_m(range, range.most);
-    found_s = std::min(found_s, seconds(range, range.most, farthest_m));
-    if (range.least.out_m + range.least.in_m >= range.together_m)
-      found_s = std::min(found_s, seconds(range, range.least, forward_m(range, range.least)));
-    range.at_least_s = seconds(range, range.least, farthest_m - spans_m);
-    open.push(range);
-  }
-
-  /// All ways that back so far out and in at least, and so far together.
-  void push_all(std::optional<double> out_m, std::optional<double> in_m, double together_m) {
-    for (const bool out : {false, true})
-      for (const bool in : {false, true}) {
-        if ((out_m && !out) || (in_m && !in)) continue;
-        Range all;
-        all.out = out;
-        all.in = in;
-        all.together_m = together_m;
-        if (out) all.least.out_m = out_m.value_or(0), all.most.out_m = from.follows_m;
-        if (in) all.least.in_m = in_m.value_or(0), all.most.in_m = to.follows_m;
-        if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push(all);
-      }
-  }
-
-  double least_s(double known_s) {
-    double out_s = found_s;
-    for (int parts = 0; !open.empty() && parts < kMostParts; ++parts) {
-      const Range range = open.top();
-      open.pop();
-      out_s = std::min(range.at_least_s, found_s);
-      const double out_m = range.most.out_m - range.least.out_m, in_m = range.most.in_m - range.least.in_m;
-      const double near_s = std::max(kFoundTo_s, kFoundToShare * found_s);
-      if (out_s >= std::min(known_s, found_s - near_s) || std::max(out_m, in_m) < kSmallest_m) break;
-      Range near = range, far = range;
-      if (out_m > in_m)
-        near.most.out_m = far.least.out_m = range.least.out_m + 0.5 * out_m;
-      else
-        near.most.in_m = far.least.in_m = range.least.in_m + 0.5 * in_m;
-      push(near);
-      push(far);
-    }
-    return out_s;
-  }
-};
-
 }  // namespace
-
-Pose WayEnd::backed(double by_m) const { return pose_of(course->axle(from_m + sense * by_m)); }
 
 std::optional<LandSides> LandSides::of(const Plan& plan) {
   const std::optional<double> beyond_m = land_beyond_m(plan);
@@ -191,10 +97,10 @@ std::optional<LandSides> LandSides::of(const Plan& plan) {
 }
 
 LandSides::LandSides(const Plan& plan, double beyond_m)
-    : turning_(plan.machine.turning),
-      radius_m_(std::max(plan.machine.radius_m, kLeastRadius_m)),
+    : costs_{plan.machine.turning, plan.route.proof.stop_s + 2 * plan.machine.turning.gear_change_s,
+             std::max(plan.machine.radius_m, kLeastRadius_m)},
       reach_m_(0) {
-  const double behind_m = turning_.implement_offset_m;
+  const double behind_m = costs_.turning.implement_offset_m;
   double to_left_m = 0, to_right_m = 0;
   for (const Side& part : outline_at({{0, 0}, {1, 0}, {-behind_m, 0}, {1, 0}}, plan.machine))
     for (const Point corner : part) {
@@ -224,11 +130,10 @@ double LandSides::missing_m(const HullSide& side, const Pose& at, Point off, Com
   // 1 − cos φ, from the sine.
   const double cosine = std::sqrt(std::max(0.0, 1 - towards * towards));
   const double room_m = dot(at.at - side.on, side.inwards);
-  const double nearer_m = radius_m_ * (comes == Comes::kEitherWay ? 1 - cosine : 1 + cosine);
+  const double nearer_m = costs_.radius_m * (comes == Comes::kEitherWay ? 1 - cosine : 1 + cosine);
   return std::max(0.0, half_m_ + nearer_m - kRoomFoundTo_m - room_m);
 }
 
-/// As far as it follows the line where it is never enough.
 double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const {
   double at_m = 0;
   for (const Piece& piece : pieces_from(*end.course, end.sense)) {
@@ -244,11 +149,11 @@ double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes co
     }
     if (at_m >= end.follows_m) break;
   }
-  return end.follows_m;
+  return kNever_s;
 }
 
-WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double sense,
-                              double straight_on_m) const {
+WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sense, double straight_on_m,
+                          Followed followed) const {
   WayEnd out;
   out.course = course;
   out.from_m = from_m;
@@ -268,7 +173,8 @@ WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double 
     const Point first = out.backed(at_m + inside_m).heading.unit();
     const Point last = out.backed(at_m + piece.length_m - inside_m).heading.unit();
     if (turned(first, before) > kKink) break;
-    if (std::abs(piece.curvature) * radius_m_ > 1 + kSharperShare) break;
+    if (followed == Followed::kStraight && piece.curvature != 0) break;
+    if (std::abs(piece.curvature) * costs_.radius_m > 1 + kSharperShare) break;
     if (std::max(turned(first, heading), turned(last, heading)) > kTurnsAtMost) break;
     out.turns = std::max(out.turns, turned(last, heading));
     before = last;
@@ -279,20 +185,32 @@ WayEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double 
   for (const HullSide& side : sides_) {
     if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
       out.sides.push_back({side.inwards, far_enough_m(side, out, Comes::kEitherWay)});
-    if (out.turns > kStraight || missing_m(side, lifted, out.off, Comes::kTheFarWay) <= 0) continue;
+    if (out.turns > kStraight) continue;
     const Point either{side.inwards.y, -side.inwards.x};
-    out.beside.push_back({side.inwards, dot(out.off, either) > 0 ? either : -1 * either,
-                          far_enough_m(side, out, Comes::kTheFarWay)});
+    const Point parallel = dot(out.off, either) > 0 ? either : -1 * either;
+    if (std::abs(dot(out.off, side.inwards)) <= kSideways)
+      out.beside.push_back({side.inwards, parallel, 0, kNever_s});
+    else if (missing_m(side, lifted, out.off, Comes::kTheFarWay) > 0)
+      out.beside.push_back({side.inwards, parallel, std::acos(std::min(1.0, dot(out.off, parallel))),
+                            far_enough_m(side, out, Comes::kTheFarWay)});
   }
   return out;
 }
 
-WayEnd LandSides::leaving(const WorkedCourse& course) const {
-  return end_of_line(course, course.length_m() + course.ahead_m(), -1, turning_.lift_m);
+LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double sense,
+                               double straight_on_m) const {
+  LineEnd out{way_end(course, from_m, sense, straight_on_m, Followed::kAll)};
+  if (out.all.turns > kStraight)
+    out.straight = way_end(course, from_m, sense, straight_on_m, Followed::kStraight);
+  return out;
 }
 
-WayEnd LandSides::entering(const WorkedCourse& course) const {
-  return end_of_line(course, course.ahead_m(), 1, turning_.lower_m);
+LineEnd LandSides::leaving(const WorkedCourse& course) const {
+  return end_of_line(course, course.length_m() + course.ahead_m(), -1, costs_.turning.lift_m);
+}
+
+LineEnd LandSides::entering(const WorkedCourse& course) const {
+  return end_of_line(course, course.ahead_m(), 1, costs_.turning.lower_m);
 }
 
 LandSides::InBand LandSides::in_band(const WayEnd& from, const WayEnd& to) const {
@@ -301,19 +219,19 @@ LandSides::InBand LandSides::in_band(const WayEnd& from, const WayEnd& to) const
   const double slant_to = std::abs(cross(to.off, band_)) + to.turns;
   if (slant >= 1 || slant_to >= 1) return InBand::kFree;
   const double cosines = std::sqrt(1 - slant * slant) + std::sqrt(1 - slant_to * slant_to);
-  const double takes_m = cosines * (radius_m_ + half_m_) - (slant + slant_to) * reach_m_;
+  const double takes_m = cosines * (costs_.radius_m + half_m_) - (slant + slant_to) * reach_m_;
   if (band_m_ >= takes_m - kRoomFoundTo_m) return InBand::kFree;
   return (begins > 0) == (ends > 0) ? InBand::kOnward : InBand::kNever;
 }
 
 /// Ways that back farther than a line is followed: from there any way, with any changes of gear.
 double LandSides::farther_s(const WayEnd& from, const WayEnd& to) const {
-  const double fastest_mps = std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps);
+  const double fastest_mps = std::max(costs_.turning.turning_speed_mps, costs_.turning.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
-    return end.follows_m / turning_.reverse_speed_mps +
-           least_with_reversing_m(end.backed(end.follows_m), other.at, radius_m_) / fastest_mps;
+    return end.follows_m / costs_.turning.reverse_speed_mps +
+           least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps;
   };
-  return 2 * turning_.gear_change_s + std::min(beyond_s(from, to), beyond_s(to, from));
+  return costs_.stop_s + std::min(beyond_s(from, to), beyond_s(to, from));
 }
 
 double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const {
@@ -325,63 +243,25 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
     const double sense = dot(from.off, band_) > 0 ? 1 : -1;
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
-  Search search{turning_, radius_m_, from, to};
-  search.push_all(of_from.back_m, of_to.back_m, back_m);
+  std::vector<BackedAsAsked> ways{{of_from.back_m, of_to.back_m, back_m}};
   const double instead_m = std::min(of_from.instead_m, of_to.instead_m);
-  if (instead_m < kNever_s) search.push_all({}, {}, std::max(back_m, instead_m));
-  return search.least_s(known_s);
+  if (instead_m < kNever_s) ways.push_back({{}, {}, std::max(back_m, instead_m)});
+  return least_backed_s(costs_, from, to, ways, known_s);
 }
 
-/// The least of ways whose ends come parallel to a side with the same heading u: so a way begins by turning
-/// to u and ends by turning from −u, with half a turn between on the one or on the other side. It is as long
-/// as these turns at least, and as what is left to drive once they are driven, straight: the headings of
-/// turns at radius r add up to r times the difference of their normals.
-double LandSides::loops_s(const WayEnd& from, const WayEnd& to, double enough_s) const {
-  const double off_line_m = turning_.lift_m + turning_.lower_m;
-  double out_s = 0;
-  for (const SideBeside& one : from.beside)
-    for (const SideBeside& other : to.beside) {
-      if (!(one.inwards == other.inwards) || dot(one.parallel, other.parallel) < 0) continue;
-      const Point u = one.parallel, n = one.inwards;
-      const Point leads = moved_on(to.at, -turning_.lower_m).at - moved_on(from.at, turning_.lift_m).at;
-      // A turn of less than half a circle from one heading to another leads to where the difference of the
-      // headings, turned by a quarter of a circle, does.
-      const auto turn = [&](Point a, Point b) {
-        const double sense = cross(a, b) >= 0 ? 1 : -1;
-        const Point c = b - a;
-        return radius_m_ * sense * Point{c.y, -c.x};
-      };
-      const Point arrives = -1 * to.off;
-      const Point ends = turn(from.off, u) + turn(-1 * u, arrives);
-      const double half_m = 2 * radius_m_;  // across, on the side of the land or on that of its edge
-      const double left_m = std::min(distance(leads, ends + half_m * n), distance(leads, ends - half_m * n));
-      const double angles =
-          std::acos(std::min(1.0, dot(from.off, u))) + std::acos(std::min(1.0, dot(to.off, u)));
-      const double loop_m = radius_m_ * (angles + std::numbers::pi) + left_m;
-      const double slower = std::max(0.0, 1 / turning_.turning_speed_mps - 1 / turning_.reverse_speed_mps);
-      const double backed_m = std::min(one.back_m, from.follows_m) + std::min(other.back_m, to.follows_m);
-      const double looping_s =
-          std::min((loop_m + off_line_m) / turning_.turning_speed_mps,
-                   2 * turning_.gear_change_s + (loop_m - off_line_m) / turning_.turning_speed_mps -
-                       slower * backed_m);
-      if (looping_s <= out_s) continue;
-      Search search{turning_, radius_m_, from, to};
-      search.push_all(one.back_m, {}, 0);
-      search.push_all({}, other.back_m, 0);
-      out_s = std::max(out_s, std::min(looping_s, search.least_s(std::min(enough_s, looping_s))));
-    }
-  return out_s;
-}
-
-double LandSides::least_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {
-  const bool backs = in_band(from, to) != InBand::kFree || asked(from, to).back_m || asked(to, from).back_m;
-  if (!backs && (from.beside.empty() || to.beside.empty())) return known_s;
+double LandSides::way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {
+  const bool bounded = in_band(from, to) != InBand::kFree || asked(from, to).back_m ||
+                       asked(to, from).back_m || !turned_round(from, to).empty();
+  if (!bounded) return known_s;
   const double beyond_s = farther_s(from, to);
   if (beyond_s <= known_s) return known_s;
-  enough_s = std::min(beyond_s, enough_s);
-  double out_s = std::max(known_s, loops_s(from, to, enough_s));
-  if (backs && out_s < enough_s) out_s = std::max(out_s, along_lines_s(from, to, enough_s));
-  return std::max(known_s, std::min(beyond_s, out_s));
+  return std::max(known_s, std::min(beyond_s, along_lines_s(from, to, std::min(beyond_s, enough_s))));
+}
+
+double LandSides::least_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const {
+  const double all_s = way_s(from.all, to.all, known_s, enough_s);
+  if (all_s >= enough_s || (!from.straight && !to.straight)) return all_s;
+  return way_s(from.straight.value_or(from.all), to.straight.value_or(to.all), all_s, enough_s);
 }
 
 }  // namespace tramline::check

@@ -159,13 +159,14 @@ RouteNodes nodes_of_route(const Plan& plan) {
   return Nodes(plan).run();
 }
 
-LeastWays::LeastWays(const Machine& machine, std::optional<LandSides> sides)
+LeastWays::LeastWays(const Machine& machine, double stop_s, std::optional<LandSides> sides)
     : turning_(machine.turning),
       width_m_(machine.width_m),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
       reverses_(turning_.implement != Coupling::kTowed || !(turning_.drawbar_m > 0)),
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps),
+      reversing_s_(2 * turning_.gear_change_s + (turning_.reverse ? 0 : stop_s)),
       sides_(std::move(sides)) {}
 
 /// From leaving by one pose to entering by another; `known_s` or more where it is no less.
@@ -176,9 +177,8 @@ double LeastWays::least_s(const Pose& left, double lift_m, const Pose& entered, 
   const double forward_m =
       lift_m + lower_m + least_forward_m(moved_on(left, lift_m), moved_on(entered, -lower_m), radius_m_);
   const double forward_s = forward_m / turning_.turning_speed_mps;
-  const double changes_s = 2 * turning_.gear_change_s;
-  if (!reverses_ || changes_s + straight_s >= std::min(forward_s, known_s)) return forward_s;
-  return std::min(forward_s, changes_s + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
+  if (!reverses_ || reversing_s_ + straight_s >= std::min(forward_s, known_s)) return forward_s;
+  return std::min(forward_s, reversing_s_ + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
 }
 
 /// At a closed pass the implement is lifted and lowered anywhere along it.
@@ -197,7 +197,9 @@ double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_
   const double straight = straight_s(a, b);
   if (a.kind == NodeKind::kGate || b.kind == NodeKind::kGate) return straight;
   const bool both_closed = a.kind == NodeKind::kClosedPass && b.kind == NodeKind::kClosedPass;
-  if (both_closed && straight * fastest_mps_ > kNextPasses_widths * width_m_) return straight;
+  // Places are as far from the nearest ones as passes are from one another but for steps along both.
+  const double next_m = kNextPasses_widths * width_m_ + 2 * (a.step_m + b.step_m);
+  if (both_closed && straight * fastest_mps_ > next_m) return straight;
   const double steps_s = (a.step_m + b.step_m) / turning_.turning_speed_mps;
   const double there_s = one_way_s(a, b, enough_s);
   return std::max(straight, std::min(there_s, one_way_s(b, a, std::min(there_s, enough_s))) - steps_s);

@@ -21,7 +21,7 @@ struct RouteNode {
   std::vector<Pose> left;     ///< the axle, where the work ends there
   std::vector<Pose> entered;  ///< where the work begins there
   /// Of a line's end, where the sides of the land bound ways.
-  std::optional<WayEnd> leaving{}, entering{};
+  std::optional<LineEnd> leaving{}, entering{};
   double step_m = 0;  ///< from each place of a closed pass to the next; 0: there is one place
 };
 
@@ -44,7 +44,8 @@ RouteNodes nodes_of_route(const Plan& plan);
 /// The least times of ways between nodes, by the machine of a plan.
 class LeastWays {
  public:
-  explicit LeastWays(const Machine& machine, std::optional<LandSides> sides);
+  /// `stop_s`: what a stop to back counts besides its time.
+  LeastWays(const Machine& machine, double stop_s, std::optional<LandSides> sides);
 
   /// No way is quicker, in either direction, s; where that is `enough_s` or more, to that. Where one of them
   /// is a closed pass, ways from and to its places less the steps between these, along which the machine
@@ -62,6 +63,7 @@ class LeastWays {
   double radius_m_;
   bool reverses_;
   double fastest_mps_;
+  double reversing_s_;  ///< changes of gear, and a stop where the machine does not turn in reverse
   std::optional<LandSides> sides_;
 };
 
