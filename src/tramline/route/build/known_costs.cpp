@@ -88,16 +88,14 @@ double KnownCosts::one_way(order::End left, order::End entered) const {
   return least_s + kOfEachEnd * (more_s_[left].value_or(0) + more_s_[entered].value_or(0));
 }
 
+double KnownCosts::both_ways(order::End a, order::End b) const {
+  const bool there = ways_.contains(key(a, b)), back = ways_.contains(key(b, a));
+  if (there == back) return 0.5 * (one_way(a, b) + one_way(b, a));
+  return there ? one_way(a, b) : one_way(b, a);
+}
+
 double KnownCosts::between(order::End a, order::End b) const {
-  const order::End low = std::min(a, b), high = std::max(a, b);
-  const auto [known, is_new] = between_.try_emplace(key(low, high), 0);
-  if (is_new) {
-    const bool there = ways_.contains(key(a, b)), back = ways_.contains(key(b, a));
-    known->second = there == back ? 0.5 * (one_way(a, b) + one_way(b, a))
-                    : there       ? one_way(a, b)
-                                  : one_way(b, a);
-  }
-  return known->second;
+  return between_.known_or(a, b, [&] { return both_ways(a, b); });
 }
 
 order::Neighbours KnownCosts::neighbours() const {
@@ -124,12 +122,13 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   const auto ends_are_dead = [&] { return std::pair(is_dead(left), is_dead(entered)); };
   const auto before = ends_are_dead();
   learn(left, entered, way);
+  const Way& out = ways_.emplace(key(left, entered), std::move(way)).first->second;
   // What is learnt of an end may count for all of its ways.
   if (expects_more_ || ends_are_dead() != before)
     between_.clear();
   else
-    between_.erase(key(std::min(left, entered), std::max(left, entered)));
-  return ways_.emplace(key(left, entered), std::move(way)).first->second;
+    between_.change(left, entered, both_ways(left, entered));
+  return out;
 }
 
 void KnownCosts::expect_more() {

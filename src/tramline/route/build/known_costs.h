@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tramline/route/build/least_seconds.h"
+#include "tramline/route/build/pair_costs.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/connection/connector.h"
 #include "tramline/route/search/end_costs.h"
@@ -67,6 +68,7 @@ class KnownCosts final : public order::EndCosts {
   void look_at_nearest();
   double estimate(order::End left, order::End entered) const;
   double one_way(order::End left, order::End entered) const;
+  double both_ways(order::End a, order::End b) const;
   /// What a way that was looked for tells of other ways of its ends.
   void learn(order::End left, order::End entered, const Way& way);
   bool is_dead(order::End end) const;
@@ -93,7 +95,7 @@ class KnownCosts final : public order::EndCosts {
   std::unordered_map<order::End, Way> ways_to_first_{};
   WayFromLast from_last_{};
   std::unordered_set<order::End> settled_finishes_{};
-  mutable std::unordered_map<std::uint64_t, double> between_;
+  mutable PairCosts between_;
 };
 
 }  // namespace tramline
