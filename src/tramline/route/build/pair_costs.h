@@ -16,7 +16,7 @@ class PairCosts {
  public:
   PairCosts() { clear(); }
 
-  /// The cost of the pair, `compute()` where it is not known. Precondition: the ends differ.
+  /// The cost of the pair, `compute()` where it is not known.
   template <class Compute>
   double known_or(order::End a, order::End b, const Compute& compute) {
     const std::uint64_t pair = pair_of(a, b);
