@@ -47,7 +47,7 @@ class PairCosts {
   /// That of the pair, or the empty one where it belongs.
   std::size_t place_of(std::uint64_t pair) const {
     // Multiplied by the golden ratio (Knuth), of which the upper bits are mixed best.
-    std::size_t at = static_cast<std::size_t>((pair * 0x9E3779B97F4A7C15U) >> shift_);
+    auto at = static_cast<std::size_t>((pair * 0x9E3779B97F4A7C15U) >> shift_);
     while (entries_[at].pair != pair && entries_[at].pair != kNone) at = (at + 1) & (entries_.size() - 1);
     return at;
   }

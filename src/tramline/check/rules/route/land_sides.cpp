@@ -98,8 +98,7 @@ std::optional<LandSides> LandSides::of(const Plan& plan) {
 
 LandSides::LandSides(const Plan& plan, double beyond_m)
     : costs_{plan.machine.turning, plan.route.proof.stop_s + 2 * plan.machine.turning.gear_change_s,
-             std::max(plan.machine.radius_m, kLeastRadius_m)},
-      reach_m_(0) {
+             std::max(plan.machine.radius_m, kLeastRadius_m)} {
   const double behind_m = costs_.turning.implement_offset_m;
   double to_left_m = 0, to_right_m = 0;
   for (const Side& part : outline_at({{0, 0}, {1, 0}, {-behind_m, 0}, {1, 0}}, plan.machine))

@@ -52,8 +52,8 @@ class LandSides {
   double way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const;
 
   WayCosts costs_;
-  double half_m_;   ///< of the outline, to the side where it is narrower
-  double reach_m_;  ///< of the outline ahead or behind
+  double half_m_;       ///< of the outline, to the side where it is narrower
+  double reach_m_ = 0;  ///< of the outline ahead or behind
   std::vector<HullSide> sides_;
   Point band_;         ///< along the narrowest band
   double band_m_ = 0;  ///< how wide that is
