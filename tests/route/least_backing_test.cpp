@@ -141,6 +141,10 @@ TEST(LeastBacking, TurnsRoundToALineAlongTheSide) {
   const double found_s = between(LeastBacking(near, 0, machine), left, pass, machine);
   EXPECT_LE(found_s, loop_m / 1.5);
   EXPECT_GE(found_s, loop_m / 1.5 - 0.3);
+  // A pass that bends away from the edge after 60 m, by 24°, is along it up to there.
+  SteeredPath bends{arc_from(pass.front().start, 60, 0, Gear::kForward)};
+  bends.push_back(arc_from(end_of(bends), 5, 1.0 / 12, Gear::kForward));
+  EXPECT_DOUBLE_EQ(between(LeastBacking(near, 0, machine), left, bends, machine), found_s);
   EXPECT_EQ(between(LeastBacking(far, 0, machine), left, pass, machine),
             LeastSeconds(machine).forward(end_of(left), pass.front().start));
 }

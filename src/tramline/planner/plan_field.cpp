@@ -326,10 +326,10 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
   const std::vector<Plan> layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
   const SearchContext comparing = context.for_part(kLaidOut, 1);
   if (layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
-  const auto room_for_turns = [&](LayoutBy prices) {
+  const auto room_for_turns = [&](LayoutBy by) {
     const SearchContext deepening = comparing.uncounted().without_bound();
     if (!headlands_follow_turns(problem.settings)) return searched(problem, deepening, Explain::kNo).plan;
-    if (prices == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
+    if (by == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
     return by_usual_prices(problem, comparing.uncounted());
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;

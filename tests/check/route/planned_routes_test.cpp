@@ -85,9 +85,10 @@ TEST(PlannedRoutes, hold_between_gates) {
 }
 
 /// The bound of the plan holds, and two parts in a hundred more are refused. Returns the plan.
-Plan with_bound_that_holds(Ring outer, const Machine& of) {
+Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost) {
   PlanSettings settings = whole_route(0);
   settings.boundary = EdgeKind::kHard;
+  settings.aim = aim;
   Plan plan = plan_field(field_of(std::move(outer)), of, {}, settings);
   const auto refused = [](const Plan& one) {
     const std::vector<check::Violation> all = check::verify(one).violations;
@@ -113,6 +114,17 @@ TEST(PlannedRoutes, are_bounded_by_the_sides_that_machines_back_from) {
   with_tractor.turning.vehicle_width_m = 2.5;
   with_tractor.turning.implement_offset_m = 1;
   with_bound_that_holds({{0, 0}, {70, 20}, {70, 80}, {0, 120}}, with_tractor);
+}
+
+// Without headlands each turn takes two stops, which the bound counts by their price. To back all along a
+// track instead and stop once would take longer.
+TEST(PlannedRoutes, are_bounded_with_their_stops_where_these_are_priced) {
+  const Plan plan = with_bound_that_holds(box(0, 0, 60, 400), machine(6, 6), Aim::kWholeCost);
+  const RouteSums sums = sums_of(plan.route);
+  EXPECT_GT(sums.back_outs, 0U);
+  EXPECT_GT(plan.route.proof.stop_s, 0);
+  EXPECT_GT(plan.route.proof.bound_s, 0.97 * priced_time_s(plan.route));
+  EXPECT_GT(plan.route.proof.bound_s, sums.time_s);
 }
 
 /// Two fields of 120 m x 90 m and the lane of 60 m between them.

@@ -317,9 +317,9 @@ class Comparison {
     return other ? std::move(other) : std::move(out);
   }
 
-  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy prices, double least) {
+  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy by, double least) {
     try {
-      Plan plan = room_for_turns(prices);
+      Plan plan = room_for_turns(by);
       if (!plan.route.planned()) return plan;
       all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
       if (all_.back().cost.euros() < least) return plan;

@@ -10,8 +10,8 @@
 
 namespace tramline {
 
-/// A hash table of costs by two ends, in either order. Pairs lie in one array (open addressing), because
-/// searches for an order ask for millions. O(1) on average.
+/// A hash table of costs by two ends, in either order, of up to 2³² ends. Pairs lie in one array (open
+/// addressing), because searches for an order ask for millions. O(1) on average.
 class PairCosts {
  public:
   PairCosts() { clear(); }
