@@ -12,7 +12,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "tramline/route/axle/axle_path.h"
-#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/connection/least_seconds.h"
 #include "tramline/route/connection/way.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/room/allowed_land.h"

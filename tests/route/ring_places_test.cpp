@@ -11,7 +11,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
-#include "tramline/route/build/pass_entries.h"
+#include "tramline/route/passes/pass_entries.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/pair_costs.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/connection/connector.h"
+#include "tramline/route/connection/least_seconds.h"
 #include "tramline/route/search/end_costs.h"
 #include "tramline/route/search/neighbours.h"
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "tramline/route/build/least_backing.h"
-#include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/connection_bounds.h"
+#include "tramline/route/connection/least_seconds.h"
 
 namespace tramline {
 

@@ -7,9 +7,9 @@
 #include "tramline/model/field.h"
 #include "tramline/model/headland.h"
 #include "tramline/model/route.h"
-#include "tramline/route/build/pass_entries.h"
 #include "tramline/route/connection/way.h"
 #include "tramline/route/order/lines.h"
+#include "tramline/route/passes/pass_entries.h"
 
 namespace tramline {
 

@@ -8,10 +8,10 @@
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/leg_list.h"
-#include "tramline/route/build/pass_tour.h"
 #include "tramline/route/build/track_tour.h"
 #include "tramline/route/build/work_by_part.h"
 #include "tramline/route/order/point_grid.h"
+#include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/track_ends.h"
 
 namespace tramline {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tramline/route/build/pass_entries.h"
+#include "tramline/route/passes/pass_entries.h"
 
 namespace tramline {
 namespace {

@@ -7,7 +7,7 @@
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/model/headland.h"
 #include "tramline/model/machine.h"
-#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/connection/least_seconds.h"
 
 namespace tramline {
 

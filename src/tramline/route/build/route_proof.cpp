@@ -6,10 +6,10 @@
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/build/least_backing.h"
 #include "tramline/route/build/least_connections.h"
-#include "tramline/route/build/least_seconds.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/best_bound.h"
+#include "tramline/route/connection/least_seconds.h"
 #include "tramline/route/turning/turning_land.h"
 #include "tramline/turns/outline/outline.h"
 

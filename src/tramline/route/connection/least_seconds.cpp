@@ -1,4 +1,4 @@
-#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/connection/least_seconds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 
 #include "tramline/model/headland.h"
 #include "tramline/model/route.h"
-#include "tramline/route/build/least_seconds.h"
-#include "tramline/route/build/pass_entries.h"
 #include "tramline/route/connection/connector.h"
+#include "tramline/route/connection/least_seconds.h"
+#include "tramline/route/passes/pass_entries.h"
 
 namespace tramline {
 

@@ -1,4 +1,4 @@
-#include "tramline/route/build/pass_entries.h"
+#include "tramline/route/passes/pass_entries.h"
 
 #include <algorithm>
 #include <cmath>

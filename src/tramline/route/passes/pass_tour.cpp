@@ -1,4 +1,4 @@
-#include "tramline/route/build/pass_tour.h"
+#include "tramline/route/passes/pass_tour.h"
 
 #include <algorithm>
 #include <cassert>
