@@ -29,6 +29,9 @@ struct HeadlandPass {
   friend bool operator==(const HeadlandPass& a, const HeadlandPass& b) = default;
 };
 
+/// Passes along one boundary: those round the field, or those that go round a common obstacle.
+bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b);
+
 /// Frame: the field's local metres. field = ground ∪ body ∪ obstacles, which do not overlap.
 struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number

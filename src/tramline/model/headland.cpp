@@ -25,6 +25,12 @@ bool is_closed(const HeadlandPass& pass) {
   return distance(pass.path.back().to, pass.path.front().from) < kJoint_m;
 }
 
+bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b) {
+  return (a.around_field && b.around_field) ||
+         std::find_first_of(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end()) !=
+             a.obstacles.end();
+}
+
 const char* name(HeadlandConstruction how) {
   return how == HeadlandConstruction::kPlain ? "plain" : "drivable";
 }

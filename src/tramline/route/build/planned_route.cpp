@@ -144,8 +144,9 @@ class RoutePlanner {
     leaves_part_ = false;
   }
 
-  PassTask pass_task(const std::vector<std::size_t>& passes) const {
-    return {task_.headland, entries_, passes, task_.settings.route.sequence, connector_, least_};
+  /// `gate`: where the route ends once they are worked.
+  PassTask pass_task(const std::vector<std::size_t>& passes, std::optional<Point> gate = {}) const {
+    return {task_.headland, entries_, passes, task_.settings.route.sequence, connector_, least_, gate};
   }
 
   /// Those round the outside first where passes come first, and last where they come last: the others lie
@@ -155,7 +156,7 @@ class RoutePlanner {
       if (groups[i].as_lines)
         add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1].passes : std::vector<std::size_t>{});
       else
-        add_nearest(groups[i].passes);
+        add_nearest(groups[i].passes, i + 1 == groups.size() && ends_with_passes());
   }
 
   /// In the order in which they are driven.
@@ -170,9 +171,12 @@ class RoutePlanner {
     return out;
   }
 
-  /// Passes in the order in which each is the nearest.
-  void add_nearest(const std::vector<std::size_t>& passes) {
-    const std::vector<WorkedPass> tour = pass_tour(pass_task(passes), left_);
+  bool ends_with_passes() const { return last_part_ && task_.settings.route.passes == PassTime::kLast; }
+
+  /// Passes in the order in which each is the nearest, or one after another.
+  void add_nearest(const std::vector<std::size_t>& passes, bool ends) {
+    const std::vector<WorkedPass> tour =
+        pass_tour(pass_task(passes, ends ? out_.end : std::optional<Point>{}), left_);
     for (const WorkedPass& worked : tour) {
       const HeadlandPass& pass = task_.headland.passes[worked.pass];
       const SteeredPath axle = axle_path(pass, worked.entry, turning_);

@@ -183,8 +183,8 @@ Way Connector::between(const SteeredPath& left, const SteeredPath& entered) cons
   return to_any(left, {entered}).way;
 }
 
-std::optional<Way> Connector::direct(const SteeredPath& left, const SteeredPath& entered) const {
-  const WayEnd out = straight_out(end_of(left)), in = straight_in(entered.front().start);
+std::optional<Way> Connector::direct(const Pose& left, const Pose& entered) const {
+  const WayEnd out = straight_out(left), in = straight_in(entered);
   for (const Manoeuvre& word : ground_.words(out.pose, in.pose)) {
     SteeredPath path = joined(out.path, word.path, in.path);
     if (path.empty() || ground_.has_room(path)) return finished(LegKind::kTransit, std::move(path));

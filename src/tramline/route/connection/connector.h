@@ -31,9 +31,9 @@ class Connector {
   /// before the work, the way that led there, may be backed along too. Preconditions: both have a length.
   Way between(const SteeredPath& left, const SteeredPath& entered) const;
 
-  /// The quickest way without detours or reversing, where one has room: a shortest Dubins word that leads
-  /// forward, between the straight lines on which the implement is lifted and lowered.
-  std::optional<Way> direct(const SteeredPath& left, const SteeredPath& entered) const;
+  /// The quickest way between poses without detours or reversing, where one has room: a shortest Dubins word
+  /// that leads forward, between the straight lines on which the implement is lifted and lowered.
+  std::optional<Way> direct(const Pose& left, const Pose& entered) const;
 
   /// The way of least cost to any of several beginnings, and which: as between(), but for the turn.
   /// Precondition: `entered` is not empty.

@@ -1,11 +1,14 @@
 #include "tramline/route/passes/pass_tour.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <functional>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
+
+#include "tramline/route/passes/best_places.h"
+#include "tramline/route/passes/nearest_entries.h"
 
 namespace tramline {
 namespace {
@@ -16,64 +19,6 @@ constexpr std::size_t kMostTried = 120;
 /// have none either, so many of every pass and sense.
 constexpr std::size_t kMostSearched = 12;
 constexpr std::size_t kSearchedOfEach = 8;
-
-struct Choice {
-  std::size_t pass = 0;
-  const PassEntry* entry = nullptr;
-  double least_s = 0;
-};
-
-/// Choices, those that take least first, of equal ones the first given. What they take is computed only of
-/// those that the straight line does not put behind the ones asked for.
-class NearestChoices {
- public:
-  NearestChoices(const Pose& left, const LeastSeconds& least, std::vector<Choice> all)
-      : left_(left), least_(least), all_(std::move(all)) {
-    for (std::size_t i = 0; i < all_.size(); ++i) waiting_.push({crude_s(i), i});
-  }
-
-  std::size_t size() const { return all_.size(); }
-
-  const Choice& at(std::size_t rank) {
-    while (ranked_.size() <= rank) add_next();
-    return all_[ranked_[rank]];
-  }
-
- private:
-  using Timed = std::pair<double, std::size_t>;
-  using Soonest = std::priority_queue<Timed, std::vector<Timed>, std::greater<>>;
-
-  /// Slightly less than the straight line takes: no more than the bound in spite of rounding.
-  double crude_s(std::size_t i) const {
-    constexpr double kLess = 1 - 1e-9;
-    return kLess * least_.crude(left_, all_[i].entry->entered);
-  }
-
-  void add_next() {
-    while (!waiting_.empty() && (measured_.empty() || waiting_.top().first <= measured_.top().first)) {
-      const std::size_t i = waiting_.top().second;
-      waiting_.pop();
-      all_[i].least_s = least_.between(left_, all_[i].entry->entered);
-      measured_.push({all_[i].least_s, i});
-    }
-    ranked_.push_back(measured_.top().second);
-    measured_.pop();
-  }
-
-  Pose left_;
-  const LeastSeconds& least_;
-  std::vector<Choice> all_;
-  Soonest waiting_{}, measured_{};
-  std::vector<std::size_t> ranked_{};
-};
-
-/// Passes along one boundary: those round the field, or those that name the same obstacles.
-bool same_boundary(const HeadlandPass& a, const HeadlandPass& b) {
-  if (a.around_field && b.around_field) return true;
-  return std::any_of(a.obstacles.begin(), a.obstacles.end(), [&](std::size_t obstacle) {
-    return std::binary_search(b.obstacles.begin(), b.obstacles.end(), obstacle);
-  });
-}
 
 class PassTour {
  public:
@@ -102,13 +47,13 @@ class PassTour {
   /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
   /// of least cost to one of these.
   WorkedPass next(const SteeredPath& left) const {
-    NearestChoices all = choices(end_of(left));
+    NearestEntries all = choices(end_of(left));
     WorkedPass best;
     double best_s = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i) {
-      const Choice& one = all.at(i);
+      const EntryChoice& one = all.at(i);
       if (one.least_s >= best_s) break;
-      std::optional<Way> way = connector_.direct(left, axle(one.pass, *one.entry));
+      std::optional<Way> way = connector_.direct(end_of(left), one.entry->entered);
       if (!way || way->time_s >= best_s) continue;
       best_s = way->time_s;
       best = {one.pass, *one.entry, std::move(*way)};
@@ -126,7 +71,7 @@ class PassTour {
     if (sequence_ == PassSequence::kAny) return true;
     const HeadlandPass& one = headland_.passes[pass];
     for (std::size_t i = 0; i < done_.size(); ++i) {
-      if (done_[i] || i == pass || !same_boundary(one, headland_.passes[i])) continue;
+      if (done_[i] || i == pass || !along_one_boundary(one, headland_.passes[i])) continue;
       const int other = headland_.passes[i].number;
       if (sequence_ == PassSequence::kInwards ? other < one.number : other > one.number) return false;
     }
@@ -140,8 +85,8 @@ class PassTour {
     return {best, entries_[best].front(), {}};
   }
 
-  NearestChoices choices(const Pose& left) const {
-    std::vector<Choice> out;
+  NearestEntries choices(const Pose& left) const {
+    std::vector<EntryChoice> out;
     for (std::size_t pass = 0; pass < done_.size(); ++pass) {
       if (done_[pass] || !has_its_turn(pass)) continue;
       for (const PassEntry& entry : entries_[pass]) out.push_back({pass, &entry});
@@ -149,8 +94,8 @@ class PassTour {
     return {left, least_, std::move(out)};
   }
 
-  WorkedPass by_search(const SteeredPath& left, NearestChoices& all) const {
-    std::vector<Choice> nearest;
+  WorkedPass by_search(const SteeredPath& left, NearestEntries& all) const {
+    std::vector<EntryChoice> nearest;
     for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i) nearest.push_back(all.at(i));
     WorkedPass out = to_any(left, nearest);
     if (out.before.has_room()) return out;
@@ -159,8 +104,8 @@ class PassTour {
   }
 
   /// Entries of every pass whose turn it is, evenly spread.
-  std::vector<Choice> all_round() const {
-    std::vector<Choice> out;
+  std::vector<EntryChoice> all_round() const {
+    std::vector<EntryChoice> out;
     for (std::size_t pass = 0; pass < done_.size(); ++pass) {
       if (done_[pass] || !has_its_turn(pass)) continue;
       const std::size_t step = std::max<std::size_t>(1, entries_[pass].size() / (2 * kSearchedOfEach));
@@ -170,11 +115,11 @@ class PassTour {
     return out;
   }
 
-  WorkedPass to_any(const SteeredPath& left, const std::vector<Choice>& choices) const {
+  WorkedPass to_any(const SteeredPath& left, const std::vector<EntryChoice>& choices) const {
     std::vector<SteeredPath> entered;
-    for (const Choice& choice : choices) entered.push_back(axle(choice.pass, *choice.entry));
+    for (const EntryChoice& choice : choices) entered.push_back(axle(choice.pass, *choice.entry));
     Connector::WayToOne found = connector_.to_any(left, entered);
-    const Choice& choice = choices[found.chosen];
+    const EntryChoice& choice = choices[found.chosen];
     return {choice.pass, *choice.entry, std::move(found.way)};
   }
 
@@ -191,9 +136,9 @@ bool leads_forward(const WorkedPass& worked) {
   return worked.before.has_room() && !worked.before.backs_out && !worked.before.backs_in;
 }
 
-/// How many ways lack room, and what all cost, s.
-std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour) {
-  std::pair<std::ptrdiff_t, double> out{0, 0};
+/// How many ways lack room, and what all cost, that to the gate included, s.
+std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour, const PassTask& task) {
+  std::pair<std::ptrdiff_t, double> out{0, to_gate_s(task, tour.back().entry.left)};
   for (const WorkedPass& worked : tour) {
     if (!worked.before.has_room()) ++out.first;
     out.second += worked.before.cost_s;
@@ -201,20 +146,71 @@ std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour)
   return out;
 }
 
-}  // namespace
+constexpr std::array kBothSequences = {PassSequence::kOutwards, PassSequence::kInwards};
 
-std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
-  std::vector<WorkedPass> out = PassTour(task).from(left);
-  if (task.sequence != PassSequence::kAny || std::ranges::all_of(out, leads_forward)) return out;
-  // What works behind the axle swings over the edge where the machine turns off a pass beside it: that pass
-  // is best worked last, or before all others.
-  for (const PassSequence sequence : {PassSequence::kOutwards, PassSequence::kInwards}) {
+/// The tour, or one outwards or inwards that has room more often, or takes less.
+std::vector<WorkedPass> with_more_room(std::vector<WorkedPass> tour, const PassTask& task,
+                                       const SteeredPath& left) {
+  if (task.sequence != PassSequence::kAny) return tour;
+  for (const PassSequence sequence : kBothSequences) {
     PassTask ordered = task;
     ordered.sequence = sequence;
     std::vector<WorkedPass> other = PassTour(ordered).from(left);
-    if (effort_of(other) < effort_of(out)) out = std::move(other);
+    if (effort_of(other, task) < effort_of(tour, task)) tour = std::move(other);
   }
-  return out;
+  return tour;
+}
+
+bool all_along_one_boundary(const std::vector<std::size_t>& order, const Headland& headland) {
+  return std::ranges::all_of(order, [&](std::size_t pass) {
+    return along_one_boundary(headland.passes[order.front()], headland.passes[pass]);
+  });
+}
+
+/// By number, the innermost first or last; those of one number as in `order`.
+std::vector<std::size_t> by_number(std::vector<std::size_t> order, PassSequence sequence,
+                                   const Headland& headland) {
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    const int first = headland.passes[a].number, second = headland.passes[b].number;
+    return sequence == PassSequence::kInwards ? first < second : first > second;
+  });
+  return order;
+}
+
+/// Less is not worth other places, s.
+constexpr double kLeastSaved_s = 0.1;
+
+/// The tour, or one in its order, outwards or inwards that enters its passes at better places.
+std::vector<WorkedPass> at_better_places(std::vector<WorkedPass> tour, const PassTask& task,
+                                         const SteeredPath& left) {
+  std::vector<std::size_t> order;
+  for (const WorkedPass& worked : tour) order.push_back(worked.pass);
+  if (!all_along_one_boundary(order, task.headland)) return tour;
+  std::vector<std::vector<std::size_t>> orders{order};
+  if (task.sequence == PassSequence::kAny)
+    for (const PassSequence sequence : kBothSequences)
+      if (std::vector<std::size_t> other = by_number(order, sequence, task.headland); other != orders.front())
+        orders.push_back(std::move(other));
+  // Where the search with the gate comes to no end, places that take least up to the last pass may do.
+  PassTask anywhere = task;
+  anywhere.gate.reset();
+  for (const std::vector<std::size_t>& passes : orders) {
+    const double limit_s = effort_of(tour, task).second - kLeastSaved_s;
+    auto better = at_best_places(task, passes, left, limit_s);
+    if (!better && task.gate) better = at_best_places(anywhere, passes, left, limit_s);
+    if (better && effort_of(*better, task).second < limit_s) tour = std::move(*better);
+  }
+  return tour;
+}
+
+}  // namespace
+
+std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
+  std::vector<WorkedPass> tour = PassTour(task).from(left);
+  // What works behind the axle swings over the edge where the machine turns off a pass beside it: that pass
+  // is best worked last, or before all others.
+  return std::ranges::all_of(tour, leads_forward) ? at_better_places(std::move(tour), task, left)
+                                                  : with_more_room(std::move(tour), task, left);
 }
 
 WorkedPass nearest_pass(const PassTask& task, const SteeredPath& left) {

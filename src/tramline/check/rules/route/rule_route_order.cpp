@@ -217,12 +217,6 @@ class OrderCheck {
     }
   }
 
-  static bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b) {
-    return (a.around_field && b.around_field) ||
-           std::find_first_of(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(),
-                              b.obstacles.end()) != a.obstacles.end();
-  }
-
   /// Of passes along one boundary and on one part of the land the outer ones come first, or the inner ones,
   /// where the settings ask.
   void check_sequence() {
