@@ -29,7 +29,8 @@ ordered_json dropped_json(const Plan& plan) {
     out.push_back({{"subfield", piece.subfield + 1},
                    {"x_m", midpoint(piece.start, piece.end).x},
                    {"y_m", midpoint(piece.start, piece.end).y},
-                   {"length_m", distance(piece.start, piece.end)}});
+                   {"length_m", distance(piece.start, piece.end)},
+                   {"why", name(piece.why)}});
   return out;
 }
 

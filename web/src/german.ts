@@ -233,7 +233,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   Headland: 'Vorgewende',
   Subfields: 'Teilfelder',
   'Worked before': 'Schon bearbeitet',
-  'Too short to drive': 'Zu kurz zum Fahren',
+  'Not worth driving': 'Lohnt die Fahrt nicht',
 
   // The form of a plan
   Machine: 'Maschine',

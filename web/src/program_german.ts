@@ -10,6 +10,7 @@ export const PROGRAM: Readonly<Record<string, string>> = {
   '{0} m² are left out on purpose and count as uncovered': '{0} m² sind absichtlich ausgelassen und zählen als nicht bearbeitet',
   '{0} headland passes round the field were asked for, and there is room for {1}': 'Gewünscht waren {0} Vorgewenderunden um das Feld; Platz ist für {1}',
   'the field is worked by its headland passes alone: they leave no room for tracks': 'das Feld wird allein von seinen Vorgewenderunden bearbeitet: Sie lassen keinen Platz für Spuren',
+  'not worth the way: {0} {1}, {2} m in all, would cost more to drive to and work than the land is worth': 'den Weg nicht wert: {0} {1}, insgesamt {2} m, hinzufahren und sie zu bearbeiten würde mehr kosten, als das Land wert ist',
   'not driven: {0} {1} shorter than {2} m, {3} m in all': 'nicht gefahren: {0} {1}, kürzer als {2} m, insgesamt {3} m',
   piece: 'Stück',
   pieces: 'Stücke',

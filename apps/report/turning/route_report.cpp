@@ -120,7 +120,8 @@ ordered_json compared_routes_json(const std::vector<RouteAlternative>& routes) {
                    {"all_round", route.all_round},
                    {"hours", route.cost.time_s() / 3600},
                    {"euros", route.cost.euros()},
-                   {"without_room", route.without_room}});
+                   {"without_room", route.without_room},
+                   {"dropped", route.dropped}});
   }
   return out;
 }
@@ -137,10 +138,13 @@ std::string compared_routes_rows(const std::vector<RouteAlternative>& routes) {
                           route.all_round ? "all round" : "where tracks end");
     const std::string why =
         route.kind == Alternative::kNoHeadland ? "" : fmt::format(", {}", name(route.kind));
+    const std::string dropped = route.dropped == 0 ? ""
+                                                   : fmt::format(" but {} {}", route.dropped,
+                                                                 route.dropped == 1 ? "piece" : "pieces");
     const std::string tracks =
         route.directions.empty() ? "no tracks" : "tracks at " + directions_text(route.directions, kShown);
-    out += fmt::format("             {:.2f} €, {:.2f} h: {}, {}{}{}\n", route.cost.euros(),
-                       route.cost.time_s() / 3600, tracks, passes, why,
+    out += fmt::format("             {:.2f} €, {:.2f} h: {}{}, {}{}{}\n", route.cost.euros(),
+                       route.cost.time_s() / 3600, tracks, dropped, passes, why,
                        route.without_room == 0 ? ""
                                                : fmt::format("; {} {} without room", route.without_room,
                                                              route.without_room == 1 ? "leg" : "legs"));

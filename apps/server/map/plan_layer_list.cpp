@@ -71,7 +71,7 @@ ordered_json layer_list(const Plan& plan) {
                         sums_of(plan.route).length_m));
   out.push_back(detour_entry(plan));
   out.push_back(
-      entry(layers::kDropped, "Too short to drive", plan.dropped.size(), std::nullopt, dropped_length(plan)));
+      entry(layers::kDropped, "Not worth driving", plan.dropped.size(), std::nullopt, dropped_length(plan)));
   out.push_back(entry(layers::kEncounters, "Meetings with obstacles", plan.encounters.size(), std::nullopt));
   return out;
 }

@@ -133,6 +133,10 @@ struct PlanSettings {
   bool prove = false;
 };
 
+/// Why a piece is not worth driving. kShort: shorter than the machine's least length (Versleijen §2.2.1).
+/// kWay: to go there costs more than its land is worth.
+enum class DroppedFor { kShort, kWay };
+
 /// The anchor that the settings amount to: never kDefault.
 AbAnchor anchor_of(const PlanSettings& settings);
 
@@ -146,6 +150,7 @@ const char* name(TrackShape shape);       ///< straight, curved, auto
 const char* name(TrackConstruction how);  ///< parallel, paper
 const char* name(AbAnchor anchor);        ///< line, envelope; default
 const char* name(Passing way);            ///< left, right, cut
+const char* name(DroppedFor why);         ///< short, way
 const char* name(PlanOrigin origin);      ///< planned, lines
 const char* name(HeadlandRule rule);      ///< passes, auto
 const char* name(TurnPlanning choice);    ///< none, planned, route
@@ -160,6 +165,7 @@ std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<TrackConstruction> track_construction_named(std::string_view word);
 std::optional<AbAnchor> ab_anchor_named(std::string_view word);  ///< not for default
 std::optional<Passing> passing_named(std::string_view word);
+std::optional<DroppedFor> dropped_for_named(std::string_view word);
 std::optional<PlanOrigin> plan_origin_named(std::string_view word);
 std::optional<HeadlandRule> headland_rule_named(std::string_view word);
 std::optional<TurnPlanning> turn_planning_named(std::string_view word);
@@ -216,11 +222,12 @@ struct Subfield {
   std::string given_by{};  ///< where the user drew it: "cuts.gpkg feature 3"; empty: the planner's choice
 };
 
-/// A piece that was too short to drive (Versleijen §2.2.1). It is reported, and its land counts as uncovered.
+/// A piece that is not worth driving. It is reported, and its land counts as uncovered.
 struct DroppedPiece {
   Point start;
   Point end;
   std::size_t subfield = 0;  ///< index into Plan::subfields
+  DroppedFor why = DroppedFor::kShort;
 };
 
 /// Frame: the field's local metres.

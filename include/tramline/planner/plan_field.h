@@ -40,6 +40,7 @@ struct RouteAlternative {
   bool all_round = true;              ///< as many along all edges
   WholeCost cost;
   std::size_t without_room = 0;  ///< legs that leave the land
+  std::size_t dropped = 0;       ///< pieces that are not worth the way to them
 };
 
 struct ExplainedPlan {

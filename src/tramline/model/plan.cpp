@@ -83,6 +83,8 @@ AbAnchor anchor_of(const PlanSettings& settings) {
   return as_in_the_paper && settings.guide.size() == 2 ? AbAnchor::kEnvelope : AbAnchor::kLine;
 }
 
+const char* name(DroppedFor why) { return why == DroppedFor::kWay ? "way" : "short"; }
+
 const char* name(Passing way) {
   switch (way) {
     case Passing::kLeft:
@@ -136,6 +138,10 @@ std::optional<AbAnchor> ab_anchor_named(std::string_view word) {
 }
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
+}
+
+std::optional<DroppedFor> dropped_for_named(std::string_view word) {
+  return named(word, {DroppedFor::kShort, DroppedFor::kWay});
 }
 
 std::optional<HeadlandRule> headland_rule_named(std::string_view word) {

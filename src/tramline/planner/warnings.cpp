@@ -56,13 +56,32 @@ void warn_of_narrow_ground(const Plan& plan, std::vector<std::string>& out) {
     out.emplace_back("the field is worked by its headland passes alone: they leave no room for tracks");
 }
 
+struct Dropped {
+  int pieces = 0;
+  double length_m = 0;
+};
+
+Dropped dropped_for(DroppedFor why, const Plan& plan) {
+  Dropped out;
+  for (const DroppedPiece& piece : plan.dropped) {
+    if (piece.why != why) continue;
+    ++out.pieces;
+    out.length_m += distance(piece.start, piece.end);
+  }
+  return out;
+}
+
 void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
-  if (plan.dropped.empty()) return;
-  double total = 0;
-  for (const DroppedPiece& piece : plan.dropped) total += distance(piece.start, piece.end);
-  const char* noun = plan.dropped.size() == 1 ? "piece" : "pieces";
-  out.push_back(fmt::format("not driven: {} {} shorter than {:.2f} m, {:.1f} m in all", plan.dropped.size(),
-                            noun, min_length_m(plan.machine), total));
+  const Dropped small = dropped_for(DroppedFor::kShort, plan), far = dropped_for(DroppedFor::kWay, plan);
+  if (small.pieces > 0)
+    out.push_back(fmt::format("not driven: {} {} shorter than {:.2f} m, {:.1f} m in all", small.pieces,
+                              small.pieces == 1 ? "piece" : "pieces", min_length_m(plan.machine),
+                              small.length_m));
+  if (far.pieces > 0)
+    out.push_back(
+        fmt::format("not worth the way: {} {}, {:.1f} m in all, would cost more to drive to and work "
+                    "than the land is worth",
+                    far.pieces, far.pieces == 1 ? "piece" : "pieces", far.length_m));
 }
 
 /// The distance that a machine needs after a turn to straighten up and work, about.

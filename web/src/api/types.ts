@@ -355,6 +355,8 @@ export interface ComparedRoute {
   hours: number;
   euros: number;
   without_room: number;
+  /** Pieces that are not worth the way to them. */
+  dropped: number;
 }
 export interface Explain {
   causes?: Cause[];

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "tramline/check/measure/overlay_cells.h"
@@ -140,13 +141,28 @@ Expected of_passes_alone(const Plan& plan) {
       "worked by its headland passes alone", plan.pieces.empty() && !plan.headland.passes.empty(), false, {}};
 }
 
-Expected of_dropped_pieces(const Plan& plan) {
-  double sum_m = 0;
-  for (const DroppedPiece& piece : plan.dropped) sum_m += distance(piece.start, piece.end);
+std::vector<double> lengths_dropped_for(DroppedFor why, const Plan& plan) {
+  std::vector<double> out;
+  for (const DroppedPiece& piece : plan.dropped)
+    if (piece.why == why) out.push_back(distance(piece.start, piece.end));
+  return out;
+}
+
+Expected of_short_dropped_pieces(const Plan& plan) {
+  const std::vector<double> lengths_m = lengths_dropped_for(DroppedFor::kShort, plan);
   return {"not driven:",
-          !plan.dropped.empty(),
+          !lengths_m.empty(),
           false,
-          {counted(std::ssize(plan.dropped)), amount(min_length_m(plan.machine)), amount(sum_m)}};
+          {counted(std::ssize(lengths_m)), amount(min_length_m(plan.machine)),
+           amount(std::accumulate(lengths_m.begin(), lengths_m.end(), 0.0))}};
+}
+
+Expected of_pieces_not_worth_the_way(const Plan& plan) {
+  const std::vector<double> lengths_m = lengths_dropped_for(DroppedFor::kWay, plan);
+  return {"not worth the way:",
+          !lengths_m.empty(),
+          false,
+          {counted(std::ssize(lengths_m)), amount(std::accumulate(lengths_m.begin(), lengths_m.end(), 0.0))}};
 }
 
 Expected of_short_pieces(const Plan& plan) {
@@ -196,19 +212,13 @@ Expected of_parts(const Plan& plan) {
 /// Of lines of others only the warning about land is ours to repeat.
 std::vector<Expected> all_expected(const Plan& plan) {
   if (is_of_lines(plan)) return {of_unworked_land(plan)};
-  return {of_unworked_land(plan),
-          of_overrun(plan),
-          of_given_up_land(plan),
-          of_left_out_land(plan),
-          of_passes_without_room(plan),
-          of_passes_alone(plan),
-          of_dropped_pieces(plan),
-          of_short_pieces(plan),
-          of_cut_short(plan),
-          of_connections(plan),
-          of_legs_without_room(plan),
-          of_swinging_corners(plan),
-          of_parts(plan)};
+  return {of_unworked_land(plan),        of_overrun(plan),
+          of_given_up_land(plan),        of_left_out_land(plan),
+          of_passes_without_room(plan),  of_passes_alone(plan),
+          of_short_dropped_pieces(plan), of_pieces_not_worth_the_way(plan),
+          of_short_pieces(plan),         of_cut_short(plan),
+          of_connections(plan),          of_legs_without_room(plan),
+          of_swinging_corners(plan),     of_parts(plan)};
 }
 
 }  // namespace

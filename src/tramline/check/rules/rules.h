@@ -69,7 +69,8 @@ void check_track_lines(const Case& c, Violations& out);
 /// Where tracks begin at the envelope of the body, the reference is a straight line, all subfields lie to its
 /// right, the nearest of them at the line, and track k runs (k + ½) widths from it. Not checked in a repair.
 void check_ab_anchor(const Case& c, Violations& out);
-/// No piece is too short to drive, except those between crossings.
+/// No piece is too short to drive, except those between crossings, and no dropped one is said to be that is
+/// not.
 void check_length(const Case& c, Violations& out);
 /// A piece is flagged as ending in a stop where neither a quarter turn to the left nor one to the right leads
 /// off the track on land where the machine may turn, and nowhere else. Ends before passable obstacles that

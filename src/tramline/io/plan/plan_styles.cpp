@@ -179,7 +179,7 @@ std::vector<LayerStyle> styles_with(std::string subfields, std::string tracks) {
       {layers::kOverlap, "land worked again", fault_style(kOverlapColour)},
       {layers::kUncovered, "land left out", fault_style(kUncoveredColour)},
       {layers::kHeadlandUnworked, "headland left out", fault_style(kUncoveredColour)},
-      {layers::kDropped, "too short to drive",
+      {layers::kDropped, "not worth driving",
        qml::document(Shape::kLine,
                      {{"", "", symbol(Shape::kLine, {qml::simple_line(kDroppedColour, mm(1.8), "dash")})}})},
       {layers::kEncounters, "where tracks meet obstacles", encounters_style()}};

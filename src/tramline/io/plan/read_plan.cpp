@@ -200,10 +200,19 @@ void read_swaths(Rows& file, PlanFile& out) {
   sort_into(rows, out.swath_order, out.swaths);
 }
 
+/// Older files have pieces that are too short alone.
+DroppedFor read_why_dropped(const Row& row) {
+  if (!row.has("why")) return DroppedFor::kShort;
+  const std::string why = row.text("why");
+  const std::optional<DroppedFor> out = dropped_for_named(why);
+  if (!out) throw bad_input(fmt::format("{} is '{}', expected short or way", row.place_of("why"), why));
+  return *out;
+}
+
 void read_dropped(Rows& file, PlanFile& out) {
   file.each(layers::kDropped, [&](const Row& row) {
     const auto [start, end] = row.straight_line();
-    out.plan.dropped.push_back({start, end, subfield_of(row)});
+    out.plan.dropped.push_back({start, end, subfield_of(row), read_why_dropped(row)});
     derive(out, row, "length_m", distance(start, end), start);
   });
 }

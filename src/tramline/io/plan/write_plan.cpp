@@ -120,10 +120,10 @@ void write_swaths(const Target& target, const Plan& plan) {
 }
 
 void write_dropped(const Target& target, const Plan& plan) {
-  Table table(target, layers::kDropped, wkbLineString, {integer("subfield"), real("length_m")});
+  Table table(target, layers::kDropped, wkbLineString, {integer("subfield"), real("length_m"), text("why")});
   for (const DroppedPiece& piece : plan.dropped)
     table.add(target.shapes.line({piece.start, piece.end}),
-              {counted_from_1(piece.subfield), distance(piece.start, piece.end)});
+              {counted_from_1(piece.subfield), distance(piece.start, piece.end), name(piece.why)});
 }
 
 void write_encounters(const Target& target, const Plan& plan) {

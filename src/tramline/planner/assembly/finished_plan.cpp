@@ -23,13 +23,15 @@
 namespace tramline {
 namespace {
 
-std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
+std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate, const Machine& machine) {
+  const double least_m = min_length_m(machine);
   std::vector<DroppedPiece> out;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
     const LaidTracks& tracks = candidate.avoided.tracks[i];
     for (const LaidPiece& piece : tracks.dropped) {
       const Path line = line_of(piece, tracks.grid);
-      out.push_back({line.front().from, line.back().to, i});
+      const DroppedFor why = piece.length_m < least_m ? DroppedFor::kShort : DroppedFor::kWay;
+      out.push_back({line.front().from, line.back().to, i, why});
     }
   }
   return out;
@@ -110,6 +112,7 @@ PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
   plan.pieces = std::move(out.driven.pieces);
   plan.directions_tried = found.directions_tried;
   plan.subfields = found.best.subfields;
+  plan.dropped = dropped_pieces(found.best, task.machine);
   Tally tracks = found.best.avoided.tally;
   if (plan.settings.turns == TurnPlanning::kTurns) tracks.stops = plan_turns(task.turning_land, plan);
   if (out.driven.route) {
@@ -122,7 +125,6 @@ PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
 
 Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const SearchContext& context) {
   Plan plan = std::move(draft.plan);
-  plan.dropped = dropped_pieces(found.best);
   context.report();
   settle_overlaps(plan, found.best.subfields);
   context.report();

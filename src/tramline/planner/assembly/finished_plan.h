@@ -11,9 +11,9 @@ namespace tramline {
 /// headland passes work more than the body, because a narrow field is worked by them alone.
 void require_tracks(const SearchTask& task, const Tally& tally);
 
-/// A plan with all that decides whether it is better than another one: its pieces in driving order, its turns
-/// or its route, its tally and its cost. What takes long and decides nothing is left out: the overlap of
-/// single pieces, encounters, layers of polygons, the bounds and warnings.
+/// A plan with all that decides whether it is better than another one: its pieces in driving order, those
+/// dropped, its turns or its route, its tally and its cost. What takes long and decides nothing is left out:
+/// the overlap of single pieces, encounters, layers of polygons, the bounds and warnings.
 struct PlanDraft {
   Plan plan;
   Driven driven;          ///< without pieces and route, which the plan has

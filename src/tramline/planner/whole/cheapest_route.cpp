@@ -10,6 +10,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/whole/compared_plans.h"
+#include "tramline/planner/whole/dropped_tracks.h"
 #include "tramline/planner/whole/route_alternative.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
@@ -29,6 +30,11 @@ constexpr int kOneByOne = 6, kHalvings = 2;
 constexpr std::size_t kFewTracks = 16;
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
+
+/// Tracks are left out of so many plans at the most, and of each until so many runs of tracks in succession
+/// do not save enough.
+constexpr std::size_t kDropsOf = 4;
+constexpr int kFailures = 3;
 
 /// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
 /// routes, headlands of other depths, and other obstacles with headlands.
@@ -69,6 +75,7 @@ class Comparison {
     if (goes_on()) vary_obstacles();
     if (goes_on()) vary_grids();
     if (goes_on() && backs_out(best().draft.plan)) improves(in_adjacent_order());
+    if (goes_on()) drop_tracks();
     context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
@@ -263,6 +270,43 @@ class Comparison {
     with.obstacles = passes;
     if (has_such(plans_, best().draft.plan, with)) return;
     improves(layouts_.laid_out(Alternative::kSearched, best().draft.plan, with));
+  }
+
+  /// Tracks are left out of the plans that may then cost less than the best one.
+  void drop_tracks() {
+    std::vector<std::pair<double, std::size_t>> hopeful;
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      if (!plans_[i].price) continue;
+      double saved = 0;
+      for (const PieceRun& run : not_worth_their_ways(plans_[i].laid.trial)) saved += run.saved;
+      if (saved > 0 && *plans_[i].price - saved < least_price())
+        hopeful.emplace_back(*plans_[i].price - saved, i);
+    }
+    std::ranges::sort(hopeful);
+    if (hopeful.size() > kDropsOf) hopeful.resize(kDropsOf);
+    for (const auto& [expected, i] : hopeful)
+      if (!context_.has_to_end() && expected < least_price()) drop_tracks_of(i);
+  }
+
+  /// One run after another, as long as each saves what is worth it.
+  void drop_tracks_of(std::size_t i) {
+    ComparedPlan entry = plans_[i];
+    for (int failed = 0; failed < kFailures && !context_.has_to_end();) {
+      const std::vector<PieceRun> runs = not_worth_their_ways(entry.laid.trial);
+      if (runs.size() <= static_cast<std::size_t>(failed)) break;
+      ComparedPlan less = entry;
+      less.laid.trial = without(runs[static_cast<std::size_t>(failed)], std::move(less.laid.trial));
+      plan_route(less);
+      if (*less.price > *entry.price - kLeastSavedByDropping) {
+        ++failed;
+        continue;
+      }
+      failed = 0;
+      entry = std::move(less);
+    }
+    if (*entry.price >= least_price()) return;
+    plans_.push_back(std::move(entry));
+    best_ = plans_.size() - 1;
   }
 
   /// What is told besides, however much it costs: no headland, and the best plan in adjacent order.

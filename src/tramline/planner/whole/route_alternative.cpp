@@ -1,5 +1,7 @@
 #include "tramline/planner/whole/route_alternative.h"
 
+#include <algorithm>
+
 namespace tramline {
 
 const char* name(Alternative alternative) {
@@ -30,6 +32,8 @@ RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
   out.all_round = plan.settings.headland_edges.empty();
   out.cost = whole_cost(plan);
   out.without_room = legs_without_room(plan.route, plan.machine);
+  out.dropped =
+      static_cast<std::size_t>(std::ranges::count(plan.dropped, DroppedFor::kWay, &DroppedPiece::why));
   return out;
 }
 

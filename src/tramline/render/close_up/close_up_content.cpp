@@ -154,7 +154,7 @@ LegendBlock symbols(const Plan& near, const Box& seen, const DetoursRound& detou
   add(shows_detour(near, seen), Symbol::kDetour, "detour round an obstacle");
   add(!references(near).empty(), Symbol::kReference, "line that tracks follow");
   add(detours.left + detours.right > 0, Symbol::kTightestArc, "tightest arc of a detour");
-  add(!near.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
+  add(!near.dropped.empty(), Symbol::kDropped, "dropped: not worth driving");
   add(shows_stop(near, seen), Symbol::kStop, "stop: the machine backs out");
   add(!near.given_up.empty(), Symbol::kGivenUp, "given up on purpose");
   add(!visible_faults(near.overlap).empty(), Symbol::kOverlap, "overlap");

@@ -72,7 +72,7 @@ LegendBlock symbols(const Plan& plan) {
   add(plan.route.planned(), Symbol::kRouteStart, "the route starts");
   add(plan.route.planned(), Symbol::kRouteEnd, "the route ends");
   add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
-  add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
+  add(!plan.dropped.empty(), Symbol::kDropped, "dropped: not worth driving");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
   const bool unworked = !visible_faults(plan.headland.unworked).empty();

@@ -129,7 +129,7 @@ function Routes({ routes }: { routes: ComparedRoute[] }) {
             <tr key={i} class={i === 0 ? 'total' : ''}>
               <th scope="row">
                 {towards(route)}
-                <span class="sub">{passes(route)}{route.without_room > 0 && t`; ${plural(route.without_room, 'leg')} without room`}</span>
+                <span class="sub">{passes(route)}{route.dropped > 0 && t`; without ${plural(route.dropped, 'piece')}`}{route.without_room > 0 && t`; ${plural(route.without_room, 'leg')} without room`}</span>
               </th>
               <td>{money(route.euros)}</td>
               <td>{hours(route.hours)}</td>

@@ -26,7 +26,7 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   subfields: { title: t`Subfields`, mark: { colour: 'Passable', form: 'area' } },
   given_up: { title: t`Left out on purpose`, mark: { colour: 'Uncovered', form: 'area' } },
   worked: { title: t`Worked before`, mark: { colour: 'Covered', form: 'area' } },
-  dropped: { title: t`Too short to drive`, mark: { colour: 'Dropped', form: 'dashed' } },
+  dropped: { title: t`Not worth driving`, mark: { colour: 'Dropped', form: 'dashed' } },
 };
 
 const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? area(layer.m2) : String(layer.features));

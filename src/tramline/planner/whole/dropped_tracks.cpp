@@ -1,0 +1,140 @@
+#include "tramline/planner/whole/dropped_tracks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "tramline/cost/strip_tally.h"
+#include "tramline/cost/worked/detour_cover.h"
+#include "tramline/model/rate_values.h"
+#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/route/connection/least_seconds.h"
+
+namespace tramline {
+namespace {
+
+constexpr std::size_t kLongestRun = 8;
+
+/// What legs cost in euros.
+class LegPrices {
+ public:
+  explicit LegPrices(const Machine& machine)
+      : machine_(machine), rates_(rates_of(machine)), second_(second_prices(rates_)) {}
+
+  double of(const RouteLeg& leg) const {
+    double out = (leg.work ? second_.at_work : second_.work_off) * leg.time_s;
+    if (leg.kind == LegKind::kBackOut) out += rates_.price_per_stop;
+    if (lacks_room(leg, machine_)) out += kPriceWithoutRoom;
+    return out;
+  }
+  double idle(double seconds) const { return second_.work_off * seconds; }
+  double missed(double area_m2) const { return missed_price_per_m2(rates_) * area_m2; }
+  double overlap(double area_m2) const { return overlap_price_per_m2(rates_) * area_m2; }
+
+ private:
+  const Machine& machine_;
+  Rates rates_;
+  SecondPrices second_;
+};
+
+const LaidPiece& laid_piece(const HeadlandTrial& trial, std::size_t piece) {
+  const LaidIndex index = trial.draft.driven.laid[piece];
+  return trial.found.best.avoided.tracks[index.subfield].pieces[index.piece];
+}
+
+/// The legs over pieces of a route and between them.
+class PiecesOnRoute {
+ public:
+  explicit PiecesOnRoute(const HeadlandTrial& trial)
+      : trial_(trial), plan_(trial.draft.plan), prices_(plan_.machine), least_(plan_.machine) {
+    const std::vector<RouteLeg>& legs = plan_.route.legs;
+    before_.push_back(0);
+    for (const RouteLeg& leg : legs) before_.push_back(before_.back() + prices_.of(leg));
+    at_.assign(plan_.pieces.size(), legs.size());
+    for (std::size_t i = 0; i < legs.size(); ++i)
+      if (legs[i].work && legs[i].piece) at_[*legs[i].piece] = i;
+  }
+
+  double saved_without(std::size_t first, std::size_t count) const {
+    const std::vector<RouteLeg>& legs = plan_.route.legs;
+    const std::size_t from = at_[first], to = at_[first + count - 1];
+    if (to >= legs.size() || from > to) return 0;
+    std::size_t previous = from, next = to + 1;
+    while (previous > 0 && !legs[previous - 1].work) --previous;
+    while (next < legs.size() && !legs[next].work) ++next;
+    double out = before_[next] - before_[previous];
+    if (previous > 0 && next < legs.size())
+      out -=
+          prices_.idle(least_.between(end_of(legs[previous - 1].path.back()), legs[next].path.front().start));
+    for (std::size_t i = first; i < first + count; ++i) out -= worth_of(i);
+    return out;
+  }
+
+  bool may_go(std::size_t piece) const {
+    const std::vector<TrackPiece>& pieces = plan_.pieces;
+    return !pieces[piece].after_crossing && !(piece + 1 < pieces.size() && pieces[piece + 1].after_crossing);
+  }
+
+ private:
+  /// What the land of a piece is worth, less what it works again.
+  double worth_of(std::size_t piece) const {
+    const LaidPiece& laid = laid_piece(trial_, piece);
+    const double again_m2 = plan_.machine.width_m * laid.length_m - laid.inside_m2;
+    return prices_.missed(laid.inside_m2) - prices_.overlap(std::max(0.0, again_m2));
+  }
+
+  const HeadlandTrial& trial_;
+  const Plan& plan_;
+  LegPrices prices_;
+  LeastSeconds least_;
+  std::vector<double> before_{};   ///< what all legs before one cost
+  std::vector<std::size_t> at_{};  ///< by piece: its leg
+};
+
+bool apart(const PieceRun& a, const PieceRun& b) {
+  return a.first + a.count <= b.first || b.first + b.count <= a.first;
+}
+
+}  // namespace
+
+std::vector<PieceRun> not_worth_their_ways(const HeadlandTrial& trial) {
+  assert(trial.draft.plan.route.planned());
+  const PiecesOnRoute route(trial);
+  const std::size_t pieces = trial.draft.plan.pieces.size();
+  std::vector<PieceRun> runs;
+  for (std::size_t first = 0; first < pieces; ++first)
+    for (std::size_t count = 1; count <= kLongestRun && first + count <= pieces && count < pieces; ++count) {
+      if (!route.may_go(first + count - 1)) break;
+      const double saved = route.saved_without(first, count);
+      if (saved > kLeastSavedByDropping) runs.push_back({first, count, saved});
+    }
+  std::ranges::stable_sort(runs, [](const PieceRun& a, const PieceRun& b) { return a.saved > b.saved; });
+  std::vector<PieceRun> out;
+  for (const PieceRun& run : runs)
+    if (std::ranges::all_of(out, [&](const PieceRun& other) { return apart(run, other); }))
+      out.push_back(run);
+  return out;
+}
+
+HeadlandTrial without(const PieceRun& run, HeadlandTrial trial) {
+  assert(run.count < trial.draft.plan.pieces.size());
+  Candidate& candidate = trial.found.best;
+  std::vector<LaidIndex> gone(
+      trial.draft.driven.laid.begin() + static_cast<std::ptrdiff_t>(run.first),
+      trial.draft.driven.laid.begin() + static_cast<std::ptrdiff_t>(run.first + run.count));
+  std::ranges::sort(gone, [](const LaidIndex& a, const LaidIndex& b) { return a.piece > b.piece; });
+  for (const LaidIndex& index : gone) {
+    LaidTracks& tracks = candidate.avoided.tracks[index.subfield];
+    const auto piece = tracks.pieces.begin() + static_cast<std::ptrdiff_t>(index.piece);
+    tracks.dropped.push_back(std::move(*piece));
+    tracks.pieces.erase(piece);
+  }
+  const SearchTask task(trial.problem, trial.prepared);
+  Avoided& avoided = candidate.avoided;
+  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, candidate.families, avoided.tracks);
+  avoided.tally = tally_of(candidate.subfields, avoided.tracks, task.body_m2, by_detours_m2);
+  avoided.cost = cost(task.objective, avoided.tally);
+  return trial;
+}
+
+}  // namespace tramline
