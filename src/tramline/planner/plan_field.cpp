@@ -301,7 +301,10 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
     return searched(with_shape(bare, shape), straight ? searching.without_sweep() : searching, Explain::kNo)
         .plan;
   };
-  std::vector<Plan> out{layout_of(bare.settings.shape)};
+  // Behind headlands that follow from turns, curves are looked for on the land that these leave.
+  const bool by_turns = problem.settings.headland_rule == HeadlandRule::kTurns;
+  const bool later = by_turns && bare.settings.shape == TrackShape::kAuto;
+  std::vector<Plan> out{layout_of(later ? TrackShape::kStraight : bare.settings.shape)};
   if (follow_curves(out.front().subfields)) out.insert(out.begin(), layout_of(TrackShape::kStraight));
   return out;
 }

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tramline/planner/whole/cheapest_route.h"
 
 namespace tramline {
@@ -84,6 +87,51 @@ TEST(RouteLayouts, LayTracksByTheUsualPricesToo) {
   };
   EXPECT_NEAR(along_deg(searched.back().trial.draft.plan), 90, 1);
   EXPECT_NEAR(along_deg(*usual), 0, 1);
+}
+
+/// A strip 60 m wide along a bend of 90° with a radius of 100 m on its inside, with straight ends.
+PlanningProblem bent_problem(TrackShape shape) {
+  Field field;
+  field.id = "bend";
+  const auto on_arc = [](double radius_m, int i) {
+    const double angle = i * std::numbers::pi / 60;
+    return Point{radius_m * std::cos(angle), radius_m * std::sin(angle)};
+  };
+  for (int i = 0; i <= 30; ++i) field.outer.push_back(on_arc(160, i));
+  for (int i = 30; i >= 0; --i) field.outer.push_back(on_arc(100, i));
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 6;
+  PlanSettings settings;
+  settings.headland_rule = HeadlandRule::kTurns;
+  settings.shape = shape;
+  return with_track_prices(planning_problem(field, machine, {}, settings));
+}
+
+// Two passes of 6 m leave 36 m of the bend: six tracks along it, where straight ones are chords of it.
+TEST(RouteLayouts, LayTracksAlongCurvesOfTheLandBehindPasses) {
+  const PlanningProblem problem = bent_problem(TrackShape::kAuto);
+  const std::vector<Plan> layouts = one_layout(problem);
+  RouteLayouts tried(problem, layouts, SearchContext(1));
+  const PassesByBoundary passes = tried.all_round(2, {});
+  const std::vector<LaidOut> curved = tried.along_curves(passes);
+  ASSERT_FALSE(curved.empty());
+  const Plan& plan = curved.front().trial.draft.plan;
+  ASSERT_EQ(plan.subfields.size(), 1U);
+  EXPECT_FALSE(plan.subfields.front().reference.empty());
+  EXPECT_EQ(plan.pieces.size(), 6U);
+  EXPECT_LT(plan.cost, tried.searched(passes).back().trial.draft.plan.cost);
+}
+
+TEST(RouteLayouts, LayTracksAlongNoCurveOfStraightLandNorWhereTheyAreToBeStraight) {
+  const PlanningProblem strip = strip_problem(HeadlandRule::kTurns),
+                        straight = bent_problem(TrackShape::kStraight);
+  for (PlanningProblem problem : {strip, straight}) {
+    if (problem.field.id == "strip") problem.settings.shape = TrackShape::kAuto;
+    const std::vector<Plan> layouts = one_layout(problem);
+    RouteLayouts tried(problem, layouts, SearchContext(1));
+    EXPECT_TRUE(tried.along_curves(tried.all_round(1, {})).empty()) << problem.field.id;
+  }
 }
 
 TEST(RouteLayouts, PutNoOpenPassesWhereTheyAreGiven) {

@@ -120,6 +120,7 @@ class Comparison {
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
     plan_route(entry);
+    entry.only_told_of = !may_win;
     if (!may_win) return false;
     // Other layouts may have room where this one has none.
     const double with_room = *entry.price - whole_cost(entry.plan()).without_room;
@@ -133,7 +134,7 @@ class Comparison {
   bool is_told_of(const ComparedPlan& entry) {
     if (entry.laid.kind == Alternative::kAdjacent) return false;
     const auto same = same_tracks_priced(plans_, entry);
-    if (!same) return false;
+    if (!same || plans_[*same].only_told_of) return false;
     if (plans_[*same].laid.kind != entry.laid.kind)
       all_.push_back(alternative_of(entry.laid.kind, plans_[*same].plan()));
     return true;
@@ -276,7 +277,7 @@ class Comparison {
   void drop_tracks() {
     std::vector<std::pair<double, std::size_t>> hopeful;
     for (std::size_t i = 0; i < plans_.size(); ++i) {
-      if (!plans_[i].price) continue;
+      if (!plans_[i].price || plans_[i].only_told_of) continue;
       double saved = 0;
       for (const PieceRun& run : not_worth_their_ways(plans_[i].laid.trial)) saved += run.saved;
       if (saved > 0 && *plans_[i].price - saved < least_price())

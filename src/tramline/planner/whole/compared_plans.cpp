@@ -27,7 +27,8 @@ int depth_of(const ComparedPlan& plan) { return all_round(plan.passes()) ? deepe
 std::vector<std::size_t> cheapest_within(const ComparedPlans& plans, double least_price, double share) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < plans.size(); ++i)
-    if (plans[i].price && *plans[i].price <= (1 + share) * least_price) out.push_back(i);
+    if (plans[i].price && !plans[i].only_told_of && *plans[i].price <= (1 + share) * least_price)
+      out.push_back(i);
   std::stable_sort(out.begin(), out.end(),
                    [&](std::size_t a, std::size_t b) { return *plans[a].price < *plans[b].price; });
   return out;
@@ -78,7 +79,8 @@ bool leaves_land(const PlanDraft& draft) {
 bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan) {
   const int depth = depth_of(plan);
   const auto lacking = std::count_if(plans.begin(), plans.end(), [&](const ComparedPlan& other) {
-    return other.price && depth_of(other) == depth && leaves_land(other.laid.trial.draft);
+    return other.price && !other.only_told_of && depth_of(other) == depth &&
+           leaves_land(other.laid.trial.draft);
   });
   return lacking >= kEnoughWithoutRoom;
 }

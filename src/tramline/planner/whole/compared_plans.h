@@ -15,6 +15,7 @@ struct ComparedPlan {
   double floor = 0;               ///< route_floor(), EUR
   std::optional<double> price{};  ///< the cost of its route, EUR
   bool lacks_room_like_others = false;
+  bool only_told_of = false;  ///< it was not expected to win: nothing is made from it
 
   const Plan& plan() const { return laid.trial.draft.plan; }
   const PassesByBoundary& passes() const { return laid.trial.passes; }

@@ -10,6 +10,7 @@
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/geometry/strip/track_frame.h"
 #include "tramline/headland/body.h"
+#include "tramline/planner/curved/curved_search.h"
 #include "tramline/planner/explain/longest_side.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/headland_choice/foreseen_passes.h"
@@ -130,6 +131,7 @@ RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Pla
     : problem_(problem),
       layouts_(layouts),
       context_(context.without_bound().without_sweep()),
+      sweeping_(context.without_bound()),
       least_passes_(least_passes_of(problem.machine)) {
   problem_.settings.turns = TurnPlanning::kNone;
   obstacle_passes_ = layouts.front().headland.obstacle_passes;
@@ -232,6 +234,31 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   return out;
 }
 
+std::vector<LaidOut> RouteLayouts::along_curves(const PassesByBoundary& passes) {
+  const Behind& on = behind(passes);
+  if (problem_.settings.shape != TrackShape::kAuto || !on.prepared) return {};
+  if (area(on.prepared->ground.plannable) == 0) return {};
+  const SearchTask task(on.problem, *on.prepared);
+  std::vector<LaidOut> out;
+  const auto add = [&](Candidate candidate) {
+    SearchResult found;
+    found.best = std::move(candidate);
+    found.directions_tried = 1;
+    PlanDraft draft = drafted(task, found);
+    out.push_back(
+        {Alternative::kSearched, {passes, on.problem, *on.prepared, std::move(found), std::move(draft)}});
+  };
+  const SearchContext searching = sweeping_.uncounted();
+  std::optional<Candidate> along = along_best_edge(task, searching);
+  if (!along) return {};
+  if (along->works()) add(std::move(*along));
+  const PlanningProblem straight = with_straight_tracks(on.problem);
+  const SearchResult found = straight_search(SearchTask(straight, *on.prepared), searching);
+  if (std::optional<Candidate> mixed = mixed_search(task, found, searching); mixed && mixed->works())
+    add(std::move(*mixed));
+  return out;
+}
+
 std::optional<Plan> RouteLayouts::best_by_usual_prices(const PassesByBoundary& passes) {
   const Behind& on = behind(passes);
   if (!on.prepared || area(on.prepared->ground.plannable) == 0) return std::nullopt;
@@ -296,6 +323,8 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
     for (const Plan& layout : layouts_)
       if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
+    if (by_turns)
+      for (LaidOut& laid : along_curves(passes)) found.push_back(std::move(laid));
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
   if (!out.empty() && context_.has_to_end()) return out;

@@ -48,7 +48,8 @@ class RouteLayouts {
   /// few obstacles.
   std::vector<int> passes_round_all() const;
 
-  /// The curved layouts, the tracks of least cost, and those along the longest side and the length of the
+  /// The curved layouts, or curves behind the passes where these follow from turns, the tracks of least cost,
+  /// and those along the longest side and the length of the
   /// field, behind the passes asked for, or behind the least passes all round; the same without the headlands
   /// of obstacles that follow from turns, and with passes_round_all().
   std::vector<LaidOut> to_begin_with();
@@ -64,6 +65,11 @@ class RouteLayouts {
   /// The tracks of least cost behind these passes, and the undivided ones where these are several subfields;
   /// the passes alone where they leave no room for tracks.
   std::vector<LaidOut> searched(const PassesByBoundary& passes);
+
+  /// Tracks along curves behind these passes, where the settings leave their shape to the planner: those of
+  /// least cost along edges of the land there, and those in some parts of it where that costs less than
+  /// straight ones. None where no edge is a curve.
+  std::vector<LaidOut> along_curves(const PassesByBoundary& passes);
 
   /// The straight tracks of least cost behind these passes by the usual prices of tracks (Objective) instead
   /// of those of the problem, by which a turn mostly costs less; nullopt where no track fits.
@@ -101,7 +107,8 @@ class RouteLayouts {
 
   PlanningProblem problem_;  ///< without turns
   const std::vector<Plan>& layouts_;
-  SearchContext context_;
+  SearchContext context_;  ///< without the sweep, in whose cells curves are looked for
+  SearchContext sweeping_;
   int least_passes_ = 0;
   std::vector<std::unique_ptr<const Behind>> kept_;
   std::optional<PassesByBoundary> first_open_{};  ///< where the tracks of the first layout end, if known
