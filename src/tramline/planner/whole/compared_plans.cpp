@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -46,18 +47,28 @@ std::vector<std::size_t> first_distinct(const std::vector<std::size_t>& from, st
   return out;
 }
 
-/// The ends of a piece, whichever way it is driven.
-using Ends = std::array<std::pair<double, double>, 2>;
+/// The ends of a piece, whichever way it is driven, to a tenth of a millimetre: the same tracks on land that
+/// was divided and joined again differ by rounding.
+using Ends = std::array<std::pair<long, long>, 2>;
 
 std::vector<Ends> ends_of_pieces(const Plan& plan) {
+  constexpr double kPerMetre = 1e4;
+  const auto rounded = [](Point p) {
+    return std::pair{std::lround(kPerMetre * p.x), std::lround(kPerMetre * p.y)};
+  };
   std::vector<Ends> out;
   for (const TrackPiece& piece : plan.pieces) {
-    Ends ends{{{piece.start.x, piece.start.y}, {piece.end.x, piece.end.y}}};
+    Ends ends{rounded(piece.start), rounded(piece.end)};
     std::ranges::sort(ends);
     out.push_back(ends);
   }
   std::ranges::sort(out);
   return out;
+}
+
+bool same_floor(double a, double b) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(a - b) <= kRounding;
 }
 
 }  // namespace
@@ -94,7 +105,8 @@ bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBounda
 std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan) {
   const auto same = std::find_if(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
     // Floors have the paths of pieces and their overlap in them: with equal ends these are equal too.
-    return one.price && one.floor == plan.floor && one.plan().pieces.size() == plan.plan().pieces.size() &&
+    return one.price && same_floor(one.floor, plan.floor) &&
+           one.plan().pieces.size() == plan.plan().pieces.size() &&
            one.plan().headland.passes == plan.plan().headland.passes &&
            ends_of_pieces(one.plan()) == ends_of_pieces(plan.plan());
   });

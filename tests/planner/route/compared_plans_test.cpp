@@ -1,0 +1,63 @@
+// Which plans are the same, and which others are made from.
+
+#include "tramline/planner/whole/compared_plans.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+/// Three tracks side by side, from south to north.
+ComparedPlan three_tracks(double floor, std::optional<double> price) {
+  ComparedPlan out;
+  for (int i = 0; i < 3; ++i) {
+    TrackPiece piece;
+    piece.start = {6.0 * i, 0};
+    piece.end = {6.0 * i, 100};
+    out.laid.trial.draft.plan.pieces.push_back(piece);
+  }
+  out.floor = floor;
+  out.price = price;
+  return out;
+}
+
+std::vector<TrackPiece>& pieces_of(ComparedPlan& plan) { return plan.laid.trial.draft.plan.pieces; }
+
+TEST(SameTracksPriced, AreThoseInAnyOrderAndDirectionButForRounding) {
+  const ComparedPlans plans{three_tracks(90, {}), three_tracks(100, 120)};
+  ComparedPlan other = three_tracks(100 + 1e-9, {});
+  std::reverse(pieces_of(other).begin(), pieces_of(other).end());
+  std::swap(pieces_of(other).front().start, pieces_of(other).front().end);
+  pieces_of(other).back().end.x += 1e-9;
+  EXPECT_EQ(same_tracks_priced(plans, other), 1U);
+}
+
+TEST(SameTracksPriced, AreNoOthers) {
+  const ComparedPlans plans{three_tracks(100, {}), three_tracks(100, 120)};
+  ComparedPlan moved = three_tracks(100, {}), fewer = three_tracks(100, {}), dearer = three_tracks(100.01, {}),
+               behind = three_tracks(100, {});
+  pieces_of(moved).front().start.x += 0.001;
+  pieces_of(fewer).pop_back();
+  behind.laid.trial.draft.plan.headland.passes.resize(1);
+  for (const ComparedPlan* other : {&moved, &fewer, &dearer, &behind})
+    EXPECT_EQ(same_tracks_priced(plans, *other), std::nullopt);
+  EXPECT_EQ(same_tracks_priced({three_tracks(100, {})}, three_tracks(100, {})), std::nullopt)
+      << "what has no route yet has no price to tell";
+}
+
+// Within a tenth of the least price; those only told of are left where they are.
+TEST(NearTheBest, AreTheCheapestOfEachDirectionButThoseToldOf) {
+  const auto plan = [](double degrees, double price) {
+    ComparedPlan out = three_tracks(0, price);
+    out.laid.trial.draft.plan.subfields = {{{}, Direction::clockwise_from_north(Angle::degrees(degrees))}};
+    return out;
+  };
+  ComparedPlans plans{plan(0, 100), plan(0, 104), plan(40, 108), plan(80, 101), plan(120, 130)};
+  plans[3].only_told_of = true;
+  EXPECT_EQ(near_the_best(plans, 100), (std::vector<std::size_t>{2, 0}));
+}
+
+}  // namespace
+}  // namespace tramline
