@@ -36,8 +36,8 @@ TEST(SameTracksPriced, AreThoseInAnyOrderAndDirectionButForRounding) {
 
 TEST(SameTracksPriced, AreNoOthers) {
   const ComparedPlans plans{three_tracks(100, {}), three_tracks(100, 120)};
-  ComparedPlan moved = three_tracks(100, {}), fewer = three_tracks(100, {}), dearer = three_tracks(100.01, {}),
-               behind = three_tracks(100, {});
+  ComparedPlan moved = three_tracks(100, {}), fewer = three_tracks(100, {}),
+               dearer = three_tracks(100.01, {}), behind = three_tracks(100, {});
   pieces_of(moved).front().start.x += 0.001;
   pieces_of(fewer).pop_back();
   behind.laid.trial.draft.plan.headland.passes.resize(1);

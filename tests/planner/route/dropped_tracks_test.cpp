@@ -76,7 +76,7 @@ TEST(NotWorthTheirWays, AreNoneWhereWaysCostNothing) {
 TEST(Without, LeavesTheLandOfTheTracksUncovered) {
   const HeadlandTrial whole = trial_of(with_bay(5));
   const PieceRun run = not_worth_their_ways(whole).front();
-  const HeadlandTrial less = without(run, whole);
+  const HeadlandTrial less = without({run}, whole);
   const PlanDraft draft = drafted(SearchTask(less.problem, less.prepared), less.found);
   const Plan &before = whole.draft.plan, &after = draft.plan;
   EXPECT_EQ(after.pieces.size() + run.count, before.pieces.size());

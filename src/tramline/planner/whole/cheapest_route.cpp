@@ -31,9 +31,8 @@ constexpr std::size_t kFewTracks = 16;
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
 
-/// Tracks are left out of so many plans at the most, and of each until so many runs of tracks in succession
-/// do not save enough.
-constexpr std::size_t kDropsOf = 4;
+/// Tracks are left out of so many plans at the most, and so many runs of them are tried alone.
+constexpr std::size_t kDropsOf = 6, kTriedAlone = 3;
 constexpr int kFailures = 3;
 
 /// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
@@ -289,25 +288,33 @@ class Comparison {
       if (!context_.has_to_end() && expected < least_price()) drop_tracks_of(i);
   }
 
-  /// One run after another, as long as each saves what is worth it.
   void drop_tracks_of(std::size_t i) {
     ComparedPlan entry = plans_[i];
-    for (int failed = 0; failed < kFailures && !context_.has_to_end();) {
-      const std::vector<PieceRun> runs = not_worth_their_ways(entry.laid.trial);
-      if (runs.size() <= static_cast<std::size_t>(failed)) break;
-      ComparedPlan less = entry;
-      less.laid.trial = without(runs[static_cast<std::size_t>(failed)], std::move(less.laid.trial));
-      plan_route(less);
-      if (*less.price > *entry.price - kLeastSavedByDropping) {
-        ++failed;
-        continue;
-      }
-      failed = 0;
-      entry = std::move(less);
-    }
+    while (drops_some(entry)) continue;
     if (*entry.price >= least_price()) return;
     plans_.push_back(std::move(entry));
     best_ = plans_.size() - 1;
+  }
+
+  /// Drops all runs of tracks at once that are not worth their ways; where that does not save what is worth
+  /// it the better half of them, and so on; or else one of the next best.
+  bool drops_some(ComparedPlan& entry) {
+    const std::vector<PieceRun> runs = not_worth_their_ways(entry.laid.trial);
+    for (std::size_t count = runs.size(); count > 0; count /= 2)
+      if (drops({runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(count)}, entry)) return true;
+    for (std::size_t next = 1; next < std::min(runs.size(), kTriedAlone); ++next)
+      if (drops({runs[next]}, entry)) return true;
+    return false;
+  }
+
+  bool drops(const std::vector<PieceRun>& runs, ComparedPlan& entry) {
+    if (context_.has_to_end()) return false;
+    ComparedPlan less = entry;
+    less.laid.trial = without(runs, std::move(less.laid.trial));
+    plan_route(less);
+    if (*less.price > *entry.price - kLeastSavedByDropping) return false;
+    entry = std::move(less);
+    return true;
   }
 
   /// What is told besides, however much it costs: no headland, and the best plan in adjacent order.

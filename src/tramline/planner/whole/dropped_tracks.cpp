@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <iterator>
 
 #include "tramline/cost/strip_tally.h"
@@ -92,7 +93,7 @@ class PiecesOnRoute {
 };
 
 bool apart(const PieceRun& a, const PieceRun& b) {
-  return a.first + a.count <= b.first || b.first + b.count <= a.first;
+  return a.first + a.count < b.first || b.first + b.count < a.first;
 }
 
 }  // namespace
@@ -116,13 +117,15 @@ std::vector<PieceRun> not_worth_their_ways(const HeadlandTrial& trial) {
   return out;
 }
 
-HeadlandTrial without(const PieceRun& run, HeadlandTrial trial) {
-  assert(run.count < trial.draft.plan.pieces.size());
+HeadlandTrial without(const std::vector<PieceRun>& runs, HeadlandTrial trial) {
   Candidate& candidate = trial.found.best;
-  std::vector<LaidIndex> gone(
-      trial.draft.driven.laid.begin() + static_cast<std::ptrdiff_t>(run.first),
-      trial.draft.driven.laid.begin() + static_cast<std::ptrdiff_t>(run.first + run.count));
-  std::ranges::sort(gone, [](const LaidIndex& a, const LaidIndex& b) { return a.piece > b.piece; });
+  std::vector<LaidIndex> gone;
+  for (const PieceRun& run : runs)
+    for (std::size_t i = run.first; i < run.first + run.count; ++i)
+      gone.push_back(trial.draft.driven.laid[i]);
+  assert(gone.size() < trial.draft.plan.pieces.size());
+  // From the last of each subfield on, so that the others keep their places.
+  std::ranges::sort(gone, std::greater<>(), &LaidIndex::piece);
   for (const LaidIndex& index : gone) {
     LaidTracks& tracks = candidate.avoided.tracks[index.subfield];
     const auto piece = tracks.pieces.begin() + static_cast<std::ptrdiff_t>(index.piece);
