@@ -312,7 +312,7 @@ class Comparison {
     ComparedPlan less = entry;
     less.laid.trial = without(runs, std::move(less.laid.trial));
     plan_route(less);
-    if (*less.price > *entry.price - kLeastSavedByDropping) return false;
+    if (!is_worth_dropping(entry.plan(), less.plan())) return false;
     entry = std::move(less);
     return true;
   }

@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kLongestRun = 8;
 
+/// Less is not worth leaving land unworked, EUR.
+constexpr double kLeastSaved = 0.5;
+
+bool is_worth_leaving(double saved, double lost) { return saved >= std::max(kLeastSaved, lost); }
+
 /// What legs cost in euros.
 class LegPrices {
  public:
@@ -56,19 +61,25 @@ class PiecesOnRoute {
       if (legs[i].work && legs[i].piece) at_[*legs[i].piece] = i;
   }
 
-  double saved_without(std::size_t first, std::size_t count) const {
+  /// What is spent on the way past these pieces and on them, but for the shortest way past them.
+  double spent_on(std::size_t first, std::size_t count) const {
     const std::vector<RouteLeg>& legs = plan_.route.legs;
     const std::size_t from = at_[first], to = at_[first + count - 1];
     if (to >= legs.size() || from > to) return 0;
     std::size_t previous = from, next = to + 1;
     while (previous > 0 && !legs[previous - 1].work) --previous;
     while (next < legs.size() && !legs[next].work) ++next;
-    double out = before_[next] - before_[previous];
-    if (previous > 0 && next < legs.size())
-      out -=
-          prices_.idle(least_.between(end_of(legs[previous - 1].path.back()), legs[next].path.front().start));
-    for (std::size_t i = first; i < first + count; ++i) out -= worth_of(i);
-    return out;
+    const double spent = before_[next] - before_[previous];
+    if (previous == 0 || next == legs.size()) return spent;
+    const Pose left = end_of(legs[previous - 1].path.back()), entered = legs[next].path.front().start;
+    return spent - prices_.idle(least_.between(left, entered));
+  }
+
+  /// What the land of a piece is worth, less what it works again.
+  double worth_of(std::size_t piece) const {
+    const LaidPiece& laid = laid_piece(trial_, piece);
+    const double again_m2 = plan_.machine.width_m * laid.length_m - laid.inside_m2;
+    return prices_.missed(laid.inside_m2) - prices_.overlap(std::max(0.0, again_m2));
   }
 
   bool may_go(std::size_t piece) const {
@@ -77,13 +88,6 @@ class PiecesOnRoute {
   }
 
  private:
-  /// What the land of a piece is worth, less what it works again.
-  double worth_of(std::size_t piece) const {
-    const LaidPiece& laid = laid_piece(trial_, piece);
-    const double again_m2 = plan_.machine.width_m * laid.length_m - laid.inside_m2;
-    return prices_.missed(laid.inside_m2) - prices_.overlap(std::max(0.0, again_m2));
-  }
-
   const HeadlandTrial& trial_;
   const Plan& plan_;
   LegPrices prices_;
@@ -103,18 +107,26 @@ std::vector<PieceRun> not_worth_their_ways(const HeadlandTrial& trial) {
   const PiecesOnRoute route(trial);
   const std::size_t pieces = trial.draft.plan.pieces.size();
   std::vector<PieceRun> runs;
-  for (std::size_t first = 0; first < pieces; ++first)
+  for (std::size_t first = 0; first < pieces; ++first) {
+    double worth = 0;
     for (std::size_t count = 1; count <= kLongestRun && first + count <= pieces && count < pieces; ++count) {
       if (!route.may_go(first + count - 1)) break;
-      const double saved = route.saved_without(first, count);
-      if (saved > kLeastSavedByDropping) runs.push_back({first, count, saved});
+      worth += route.worth_of(first + count - 1);
+      const double saved = route.spent_on(first, count) - worth;
+      if (is_worth_leaving(saved, worth)) runs.push_back({first, count, saved});
     }
+  }
   std::ranges::stable_sort(runs, [](const PieceRun& a, const PieceRun& b) { return a.saved > b.saved; });
   std::vector<PieceRun> out;
   for (const PieceRun& run : runs)
     if (std::ranges::all_of(out, [&](const PieceRun& other) { return apart(run, other); }))
       out.push_back(run);
   return out;
+}
+
+bool is_worth_dropping(const Plan& with, const Plan& without) {
+  const WholeCost before = whole_cost(with), after = whole_cost(without);
+  return is_worth_leaving(before.euros() - after.euros(), after.missed - before.missed);
 }
 
 HeadlandTrial without(const std::vector<PieceRun>& runs, HeadlandTrial trial) {
