@@ -227,13 +227,16 @@ TEST(Blindness, MissingEncountersBesideDroppedPiecesAndLandGivenUp) {
   EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 
   plan = obstacle_plan();
-  // West of the obstacle nothing of tracks 4 and 5 was long enough.
+  // West of the obstacle nothing of tracks 4 and 5 was worth the way.
   std::erase_if(plan.pieces, [&plan](const TrackPiece& piece) {
     if (std::max(piece.start.x, piece.end.x) != 40) return false;
-    plan.dropped.push_back({piece.start, piece.end, piece.subfield});
+    plan.dropped.push_back({piece.start, piece.end, piece.subfield, DroppedFor::kWay});
     return true;
   });
   EXPECT_EQ(found(settled(plan)), Names{});
+  Plan too_long = plan;
+  too_long.dropped.back().why = DroppedFor::kShort;
+  EXPECT_EQ(found(settled(too_long)), Names{"length"}) << "40 m are no short piece";
   plan.encounters.pop_back();
   EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 }
