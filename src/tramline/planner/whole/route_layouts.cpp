@@ -323,7 +323,7 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
     for (const Plan& layout : layouts_)
       if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
-    if (by_turns)
+    if (by_turns && out.empty())
       for (LaidOut& laid : along_curves(passes)) found.push_back(std::move(laid));
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
