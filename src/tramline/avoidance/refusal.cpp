@@ -26,6 +26,8 @@ const char* sentence(Refusal refusal) {
       return "it would cost far more than a cut";
     case Refusal::kBesideOthers:
       return "detours beside it are in the way";
+    case Refusal::kNotWorthTheWay:
+      return "tracks here are not worth the way to them";
     case Refusal::kVersleijenEndsBefore:
       return "the track ends before the detour could";
     case Refusal::kTooTight:

@@ -18,6 +18,7 @@ enum class Refusal : std::uint8_t {
   kEntersPassable,
   kFarTooExpensive,
   kBesideOthers,
+  kNotWorthTheWay,
   // Reasons for the paper's constructions.
   kVersleijenEndsBefore,
   kTooTight,

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "tramline/avoidance/refusal.h"
 #include "tramline/planner/tolerances.h"
 #include "tramline/route/order/lines.h"
 
@@ -29,11 +30,32 @@ std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, c
   return out;
 }
 
+bool has_tracks_not_worth_the_way(const SearchTask& task, const Candidate& candidate) {
+  const double least_m = min_length_m(task.machine);
+  return std::ranges::any_of(candidate.avoided.tracks, [&](const LaidTracks& tracks) {
+    return std::ranges::any_of(tracks.dropped,
+                               [&](const LaidPiece& piece) { return piece.length_m >= least_m; });
+  });
+}
+
+/// What the tracks cost decided on the ways past obstacles, and what their routes cost on leaving some of
+/// them out: the land of these would pay for detours that lead nowhere.
+void refuse_cheaper_ways(Encounter& encounter) {
+  const auto cost_of = [&](Passing way) {
+    if (way == Passing::kCut) return 0.0;
+    return way == Passing::kLeft ? encounter.left.cost : encounter.right.cost;
+  };
+  const double chosen = cost_of(encounter.chosen);
+  for (WayPast* way : {&encounter.left, &encounter.right})
+    if (way->possible && way->cost < chosen) *way = {false, 0, sentence(Refusal::kNotWorthTheWay)};
+}
+
 }  // namespace
 
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
                                             const Driven& driven) {
   const auto tracks = by_track(candidate, driven);
+  const bool leaves_tracks_out = has_tracks_not_worth_the_way(task, candidate);
   std::vector<Encounter> out;
   for (PlacedEncounter& encounter : encounters_of(task, candidate)) {
     double nearest_m = std::numeric_limits<double>::infinity();
@@ -53,6 +75,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
       encounter.chosen = order::other_side(encounter.chosen);
       std::swap(encounter.left, encounter.right);
     }
+    if (leaves_tracks_out) refuse_cheaper_ways(encounter);
     out.push_back(std::move(encounter));
   }
   return out;
