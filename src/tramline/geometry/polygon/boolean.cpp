@@ -127,11 +127,19 @@ Region from_geos(const Geometry& g) {
   return out;
 }
 
-Region overlay(const Region& a, const Region& b,
-               GEOSGeometry* (*operation)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*,
-                                          double),
-               const char* name) {
-  return from_geos(checked(operation(geos(), to_geos(a).get(), to_geos(b).get(), kGridSize), name));
+Region united(const Region& polygons) {
+  return from_geos(checked(GEOSUnaryUnionPrec_r(geos(), to_geos(polygons).get(), kGridSize), "union"));
+}
+
+using Operation = GEOSGeometry*(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double);
+
+/// Polygons of one region may overlap a little: those of GEOS's own buffers do, in rare places. GEOS lays
+/// such regions over others only once their polygons are united.
+Region overlay(const Region& a, const Region& b, Operation* operation, const char* name) {
+  if (GEOSGeometry* found = operation(geos(), to_geos(a).get(), to_geos(b).get(), kGridSize))
+    return from_geos(Geometry(found));
+  return from_geos(
+      checked(operation(geos(), to_geos(united(a)).get(), to_geos(united(b)).get(), kGridSize), name));
 }
 
 Point point_inside(const Polygon& polygon) {
@@ -144,9 +152,7 @@ Point point_inside(const Polygon& polygon) {
 
 }  // namespace
 
-Region unite(const Region& polygons) {
-  return from_geos(checked(GEOSUnaryUnionPrec_r(geos(), to_geos(polygons).get(), kGridSize), "union"));
-}
+Region unite(const Region& polygons) { return united(polygons); }
 Region unite(const Region& a, const Region& b) { return overlay(a, b, GEOSUnionPrec_r, "union"); }
 Region intersection(const Region& a, const Region& b) {
   return overlay(a, b, GEOSIntersectionPrec_r, "intersection");
