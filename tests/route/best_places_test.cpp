@@ -12,6 +12,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
+#include "route/rounded_rectangle.h"
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/manoeuvres/dubins.h"
@@ -21,23 +22,11 @@ namespace {
 
 using testing::for_each_seed;
 
-/// A rectangle around the origin whose corners are rounded, anticlockwise.
 HeadlandPass ring(double half_long_m, double half_wide_m, double radius_m, int number) {
-  HeadlandPass out;
+  HeadlandPass out =
+      testing::rounded_rectangle(2 * (half_long_m - radius_m), 2 * (half_wide_m - radius_m), radius_m);
   out.number = number;
   out.around_field = true;
-  const double long_m = 2 * (half_long_m - radius_m), wide_m = 2 * (half_wide_m - radius_m);
-  Point at{-long_m / 2, -half_wide_m}, ahead{1, 0};
-  for (int side = 0; side < 4; ++side) {
-    const Point next = at + (side % 2 == 0 ? long_m : wide_m) * ahead;
-    const Point left{-ahead.y, ahead.x};
-    const Point corner = next + radius_m * (ahead + left);
-    out.path.push_back({at, next, 0});
-    out.path.push_back({next, corner, 1 / radius_m});
-    at = corner;
-    ahead = left;
-  }
-  out.path.back().to = out.path.front().from;
   return out;
 }
 

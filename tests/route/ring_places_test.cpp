@@ -11,6 +11,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
+#include "route/rounded_rectangle.h"
 #include "tramline/route/passes/pass_entries.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
@@ -19,23 +20,7 @@ namespace tramline {
 namespace {
 
 using testing::for_each_seed;
-
-/// A rectangle of straight sides around the origin with round corners, anticlockwise.
-HeadlandPass rounded_rectangle(double long_m, double wide_m, double radius_m) {
-  HeadlandPass out;
-  Point at{-long_m / 2, -wide_m / 2 - radius_m}, ahead{1, 0};
-  for (int side = 0; side < 4; ++side) {
-    const Point next = at + (side % 2 == 0 ? long_m : wide_m) * ahead;
-    const Point left{-ahead.y, ahead.x};
-    const Point corner = next + radius_m * (ahead + left);
-    out.path.push_back({at, next, 0});
-    out.path.push_back({next, corner, 1 / radius_m});
-    at = corner;
-    ahead = left;
-  }
-  out.path.back().to = out.path.front().from;
-  return out;
-}
+using testing::rounded_rectangle;
 
 Machine random_machine_with_ring(std::mt19937_64& random) {
   Machine out;

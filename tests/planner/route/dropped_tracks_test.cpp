@@ -37,7 +37,8 @@ Plan from_east_to_west(const PlanningProblem& problem) {
 
 /// With two passes at the ends of the tracks over the field, and none in the bay.
 HeadlandTrial trial_of(const PlanningProblem& problem) {
-  const PassesByBoundary passes{{0, 2, 0, 0, 0, 0, 0, 2}, {}};
+  const PassesByBoundary passes{{0, 2, 0, 0, 0, 0, 0, 2},
+                                std::vector<int>(problem.field.obstacles.size(), 0)};
   std::optional<HeadlandTrial> out =
       headland_trial(problem, from_east_to_west(problem), passes, Offset::kBest, SearchContext(1));
   if (!out) throw std::logic_error("no track fits");
@@ -91,6 +92,31 @@ TEST(Without, LeavesTheLandOfTheTracksUncovered) {
   // What was foreseen is about what is saved.
   const double saved = whole_cost(before).euros() - whole_cost(after).euros();
   EXPECT_NEAR(saved, run.saved, 0.25 * run.saved);
+}
+
+// A track that goes round a pylon is left out. What was decided at the pylon would not pay without it, and
+// the plan says why it is so.
+TEST(Without, LeavesNoWayPastAnObstacleThatSeemsCheaper) {
+  PlanningProblem problem = with_bay(5);
+  problem.field.obstacles.push_back(
+      {{{{40, 29}, {41, 29}, {41, 30}, {40, 30}}, {}}, ObstacleKind::kObstacle, "pylon"});
+  const HeadlandTrial whole = trial_of(problem);
+  const std::vector<TrackPiece>& pieces = whole.draft.plan.pieces;
+  const auto round =
+      std::ranges::find_if(pieces, [](const TrackPiece& piece) { return !piece.detours.empty(); });
+  ASSERT_NE(round, pieces.end());
+  const PieceRun run{static_cast<std::size_t>(round - pieces.begin()), 1, 0};
+  HeadlandTrial less = without({run}, whole);
+  const SearchTask task(less.problem, less.prepared);
+  PlanDraft draft = drafted(task, less.found);
+  const Plan plan = finished(task, std::move(less.found), std::move(draft), SearchContext(1));
+  EXPECT_EQ(std::ranges::count(plan.dropped, DroppedFor::kWay, &DroppedPiece::why), 1);
+  const auto says_so = [](const Encounter& encounter) {
+    const std::string why = "tracks here are not worth the way to them";
+    return encounter.left.why_not == why || encounter.right.why_not == why;
+  };
+  EXPECT_TRUE(std::ranges::any_of(plan.encounters, says_so));
+  for (const check::Violation& fault : check::verify(plan).violations) ADD_FAILURE() << fault.what;
 }
 
 // The bay stays unworked where stops cost 5 EUR each, and is worked where they cost nothing; both plans hold.

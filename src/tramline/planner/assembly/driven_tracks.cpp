@@ -82,6 +82,10 @@ PlannedRoute route_over(const SearchTask& task, const std::vector<order::WorkedL
 
 }  // namespace
 
+DroppedFor why_dropped(const LaidPiece& piece, const Machine& machine) {
+  return piece.length_m < min_length_m(machine) ? DroppedFor::kShort : DroppedFor::kWay;
+}
+
 Path line_of(const LaidPiece& piece, const StripGrid& grid) {
   const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
   if (!piece.path.empty()) return moved(piece.path, on_field);

@@ -38,6 +38,9 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
 RouteProof proof_of_route(const SearchTask& task, const Candidate& candidate, const order::Tour& tour,
                           const Plan& plan);
 
+/// Why a piece of LaidTracks::dropped is not driven.
+DroppedFor why_dropped(const LaidPiece& piece, const Machine& machine);
+
 /// The path of a piece in the field's frame, from one end to the other; without detours for a straight piece.
 Path line_of(const LaidPiece& piece, const StripGrid& grid);
 

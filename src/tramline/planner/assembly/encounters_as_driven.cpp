@@ -30,11 +30,11 @@ std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, c
   return out;
 }
 
-bool has_tracks_not_worth_the_way(const SearchTask& task, const Candidate& candidate) {
-  const double least_m = min_length_m(task.machine);
+bool leaves_tracks_out(const Candidate& candidate, const Machine& machine) {
   return std::ranges::any_of(candidate.avoided.tracks, [&](const LaidTracks& tracks) {
-    return std::ranges::any_of(tracks.dropped,
-                               [&](const LaidPiece& piece) { return piece.length_m >= least_m; });
+    return std::ranges::any_of(tracks.dropped, [&](const LaidPiece& piece) {
+      return why_dropped(piece, machine) == DroppedFor::kWay;
+    });
   });
 }
 
@@ -55,7 +55,7 @@ void refuse_cheaper_ways(Encounter& encounter) {
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
                                             const Driven& driven) {
   const auto tracks = by_track(candidate, driven);
-  const bool leaves_tracks_out = has_tracks_not_worth_the_way(task, candidate);
+  const bool some_left_out = leaves_tracks_out(candidate, task.machine);
   std::vector<Encounter> out;
   for (PlacedEncounter& encounter : encounters_of(task, candidate)) {
     double nearest_m = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
       encounter.chosen = order::other_side(encounter.chosen);
       std::swap(encounter.left, encounter.right);
     }
-    if (leaves_tracks_out) refuse_cheaper_ways(encounter);
+    if (some_left_out) refuse_cheaper_ways(encounter);
     out.push_back(std::move(encounter));
   }
   return out;

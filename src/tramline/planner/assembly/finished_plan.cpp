@@ -24,14 +24,12 @@ namespace tramline {
 namespace {
 
 std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate, const Machine& machine) {
-  const double least_m = min_length_m(machine);
   std::vector<DroppedPiece> out;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
     const LaidTracks& tracks = candidate.avoided.tracks[i];
     for (const LaidPiece& piece : tracks.dropped) {
       const Path line = line_of(piece, tracks.grid);
-      const DroppedFor why = piece.length_m < least_m ? DroppedFor::kShort : DroppedFor::kWay;
-      out.push_back({line.front().from, line.back().to, i, why});
+      out.push_back({line.front().from, line.back().to, i, why_dropped(piece, machine)});
     }
   }
   return out;

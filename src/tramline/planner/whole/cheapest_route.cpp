@@ -276,18 +276,10 @@ class Comparison {
 
   /// Tracks are left out of the plans that may then cost less than the best one.
   void drop_tracks() {
-    std::vector<std::pair<double, std::size_t>> hopeful;
-    for (std::size_t i = 0; i < plans_.size(); ++i) {
-      if (!plans_[i].price || plans_[i].only_told_of) continue;
-      double saved = 0;
-      for (const PieceRun& run : not_worth_their_ways(plans_[i].laid.trial)) saved += run.saved;
-      if (saved > 0 && *plans_[i].price - saved < least_price())
-        hopeful.emplace_back(*plans_[i].price - saved, i);
-    }
-    std::ranges::sort(hopeful);
+    std::vector<Hopeful> hopeful = hopeful_without_tracks(plans_, least_price());
     if (hopeful.size() > kDropsOf) hopeful.resize(kDropsOf);
-    for (const auto& [expected, i] : hopeful)
-      if (!context_.has_to_end() && expected < least_price()) drop_tracks_of(i);
+    for (const Hopeful& one : hopeful)
+      if (!context_.has_to_end() && one.expected < least_price()) drop_tracks_of(one.plan);
   }
 
   void drop_tracks_of(std::size_t i) {

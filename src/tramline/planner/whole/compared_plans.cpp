@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/planner/headland_choice/foreseen_passes.h"
+#include "tramline/planner/whole/dropped_tracks.h"
 #include "tramline/planner/whole/route_floor.h"
 
 namespace tramline {
@@ -125,6 +126,19 @@ std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_
 std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price) {
   return first_distinct(cheapest_within(plans, least_price, kAsGood), kDepths,
                         [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
+}
+
+std::vector<Hopeful> hopeful_without_tracks(const ComparedPlans& plans, double least_price) {
+  std::vector<Hopeful> out;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (!plans[i].price || plans[i].only_told_of) continue;
+    const std::vector<PieceRun> runs = not_worth_their_ways(plans[i].laid.trial);
+    double expected = *plans[i].price;
+    for (const PieceRun& run : runs) expected -= run.saved;
+    if (!runs.empty() && expected < least_price) out.push_back({expected, i});
+  }
+  std::ranges::stable_sort(out, {}, &Hopeful::expected);
+  return out;
 }
 
 }  // namespace tramline

@@ -53,4 +53,13 @@ std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_
 /// their tracks a little. Indices.
 std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price);
 
+/// A plan, and about what it would cost without the tracks that are not worth their ways.
+struct Hopeful {
+  double expected = 0;   ///< EUR
+  std::size_t plan = 0;  ///< index
+};
+
+/// Those that may cost less than the least price without such tracks, the most hopeful first.
+std::vector<Hopeful> hopeful_without_tracks(const ComparedPlans& plans, double least_price);
+
 }  // namespace tramline
