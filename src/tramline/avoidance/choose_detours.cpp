@@ -14,9 +14,7 @@ namespace {
 Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) {
   Avoided out;
   out.tracks = decisions.tracks();
-  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.families, out.tracks);
-  out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
-  out.cost = cost(task.objective, out.tally);
+  settle_cost(task, out);
   return out;
 }
 
@@ -42,6 +40,12 @@ Avoided decided(const AvoidanceTask& task, Avoided cut, DetourDecisions& decisio
 }
 
 }  // namespace
+
+void settle_cost(const AvoidanceTask& task, Avoided& avoided) {
+  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.families, avoided.tracks);
+  avoided.tally = tally_of(task.subfields, avoided.tracks, task.body_m2, by_detours_m2);
+  avoided.cost = cost(task.objective, avoided.tally);
+}
 
 bool is_better(const Avoided& a, const Avoided& b) {
   const bool a_works = a.tally.pieces > 0, b_works = b.tally.pieces > 0;

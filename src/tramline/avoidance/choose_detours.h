@@ -30,6 +30,9 @@ struct Avoided {
   WaysPast ways = WaysPast::kOwn;   ///< those that the detours were chosen from
 };
 
+/// Sets the tally and the cost that the tracks come to, detours included.
+void settle_cost(const AvoidanceTask& task, Avoided& avoided);
+
 /// Whether a is cheaper than b and not just by working nothing: where turns are expensive nothing costs less
 /// than to stay at home.
 bool is_better(const Avoided& a, const Avoided& b);

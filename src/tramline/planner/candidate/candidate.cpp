@@ -74,6 +74,10 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
   return {cut.cost, cost(soft, cut.tally), decided ? cut.cost : least_cost_with_detours(avoidance, cut)};
 }
 
+void settle_cost(const SearchTask& task, Candidate& candidate) {
+  settle_cost(avoidance_task(task, candidate), candidate.avoided);
+}
+
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
   Candidate out = laid_on(task, lined_subfields);
   out.avoided = choose_detours(avoidance_task(task, out));

@@ -44,6 +44,9 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 /// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
+/// Sets the tally and the cost of its tracks anew, after some of them were left out.
+void settle_cost(const SearchTask& task, Candidate& candidate);
+
 /// The cost with Versleijen's one construction at obstacles as it is printed, whatever the settings say.
 double cost_by_rule(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 

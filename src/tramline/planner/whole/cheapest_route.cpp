@@ -35,7 +35,6 @@ constexpr std::size_t kDrafted = 12, kRouted = 2;
 constexpr std::size_t kDropsOf = 6, kTriedAlone = 3;
 /// Tracks that are ordered to that end, in all such routes: as many as six of 250 have, or thirty of 50.
 constexpr std::size_t kRoutedForDrops = 1500;
-constexpr int kFailures = 3;
 
 /// What is done of a comparison after each of its steps, about as over real fields: its first layouts, their
 /// routes, headlands of other depths, and other obstacles with headlands.

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
-#include <iterator>
 
-#include "tramline/cost/strip_tally.h"
-#include "tramline/cost/worked/detour_cover.h"
 #include "tramline/model/rate_values.h"
-#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/candidate/candidate.h"
 #include "tramline/route/connection/least_seconds.h"
 
 namespace tramline {
@@ -144,11 +141,7 @@ HeadlandTrial without(const std::vector<PieceRun>& runs, HeadlandTrial trial) {
     tracks.dropped.push_back(std::move(*piece));
     tracks.pieces.erase(piece);
   }
-  const SearchTask task(trial.problem, trial.prepared);
-  Avoided& avoided = candidate.avoided;
-  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, candidate.families, avoided.tracks);
-  avoided.tally = tally_of(candidate.subfields, avoided.tracks, task.body_m2, by_detours_m2);
-  avoided.cost = cost(task.objective, avoided.tally);
+  settle_cost(SearchTask(trial.problem, trial.prepared), candidate);
   return trial;
 }
 

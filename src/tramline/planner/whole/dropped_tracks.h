@@ -2,7 +2,6 @@
 // Tracks that are left out of a plan because the ways to them cost more than their land is worth.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "tramline/planner/headland_choice/headland_trial.h"
