@@ -322,6 +322,16 @@ Plan by_usual_prices(PlanningProblem problem, const SearchContext& context) {
   return out;
 }
 
+/// Without headlands round the field, and with no more land beyond its boundary than with them.
+PlanningProblem without_headlands_round(PlanningProblem problem) {
+  PlanSettings& settings = problem.settings;
+  if (settings.headland_rule != HeadlandRule::kTurns) return problem;
+  settings.headland_rule = HeadlandRule::kPasses;
+  settings.headlands = 0;
+  if (settings.boundary == EdgeKind::kSoft) settings.turn_room_m = std::max(0.0, settings.turn_room_m);
+  return problem;
+}
+
 ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
   // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
@@ -333,6 +343,8 @@ ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContex
     const SearchContext deepening = comparing.uncounted().without_bound();
     if (!headlands_follow_turns(problem.settings)) return searched(problem, deepening, Explain::kNo).plan;
     if (by == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
+    if (by == LayoutBy::kNoHeadland)
+      return by_usual_prices(without_headlands_round(problem), comparing.uncounted());
     return by_usual_prices(problem, comparing.uncounted());
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;

@@ -59,5 +59,34 @@ TEST(NearTheBest, AreTheCheapestOfEachDirectionButThoseToldOf) {
   EXPECT_EQ(near_the_best(plans, 100), (std::vector<std::size_t>{2, 0}));
 }
 
+/// A plan behind as many passes all round, with legs without room.
+ComparedPlan without_room(int passes, std::size_t legs, std::optional<double> price) {
+  ComparedPlan out = three_tracks(0, price);
+  out.laid.trial.passes.edges = {passes, passes, passes};
+  Plan& plan = out.laid.trial.draft.plan;
+  plan.machine.width_m = 3;
+  for (std::size_t i = 0; i < legs; ++i) {
+    RouteLeg leg;
+    leg.kind = LegKind::kTurn;
+    leg.missing_m = 2;
+    plan.route.legs.push_back(leg);
+  }
+  return out;
+}
+
+// Three plans behind two passes leave the land, by two legs at the least, of 50 € each.
+TEST(RoomLackedByOthers, IsTheLeastOfSeveralBehindAsManyPasses) {
+  ComparedPlans plans{without_room(2, 3, 400), without_room(2, 2, 300), without_room(1, 1, 250)};
+  const ComparedPlan asked = without_room(2, 0, {});
+  EXPECT_EQ(room_lacked_by_others(plans, asked), 0) << "two are too few to tell";
+  plans.push_back(without_room(2, 4, 500));
+  EXPECT_DOUBLE_EQ(room_lacked_by_others(plans, asked), 2 * kPriceWithoutRoom);
+  plans[1].only_told_of = true;
+  EXPECT_EQ(room_lacked_by_others(plans, asked), 0);
+  plans.push_back(without_room(2, 3, 350));
+  EXPECT_DOUBLE_EQ(room_lacked_by_others(plans, asked), 3 * kPriceWithoutRoom);
+  EXPECT_EQ(room_lacked_by_others(plans, without_room(1, 0, {})), 0);
+}
+
 }  // namespace
 }  // namespace tramline

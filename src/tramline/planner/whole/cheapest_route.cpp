@@ -11,6 +11,7 @@
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/whole/compared_plans.h"
 #include "tramline/planner/whole/dropped_tracks.h"
+#include "tramline/planner/whole/plan_faults.h"
 #include "tramline/planner/whole/route_alternative.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
@@ -20,14 +21,13 @@ namespace {
 
 /// The share of what routes cost beyond their floors that the next one is expected to cost too.
 constexpr double kExpected = 0.4;
-/// A plan lacks room where more than one track in so many is backed out of or into.
-constexpr std::size_t kSeldomBacksOut = 4;
 
 /// So many passes more are tried one by one, and what lies between larger steps by halving them so often.
 constexpr int kOneByOne = 6, kHalvings = 2;
 
-/// Whole costs of tracks that lie a little otherwise differ most where there are few: with no more than this.
-constexpr std::size_t kFewTracks = 16;
+/// Where a plan hardly works so many passes more than the least are tried, whether or not fewer cost more.
+constexpr int kDeeper = 2;
+
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
 
@@ -42,11 +42,6 @@ constexpr double kBegun = 0.2;
 constexpr double kFirstRoutes = 0.5;
 constexpr double kDepthFound = 0.75;
 constexpr double kObstaclesFound = 0.85;
-
-bool backs_out(const Plan& plan) {
-  return std::any_of(plan.route.legs.begin(), plan.route.legs.end(),
-                     [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
-}
 
 class Comparison {
  public:
@@ -68,18 +63,18 @@ class Comparison {
       for (LaidOut& laid : layouts_.behind_open_passes()) add(std::move(laid));
       plan_routes();
     }
-    if (goes_on()) vary_depth();
+    if (!best_ || goes_on()) vary_depth();
     if (goes_on()) vary_directions();
-    if (goes_on()) vary_prices();
+    if (goes_on()) vary_prices(PassesByBoundary(best().passes));
     context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
     if (goes_on()) vary_grids();
-    if (goes_on() && backs_out(best().draft.plan)) improves(in_adjacent_order());
+    if (goes_on() && backs_out(best_plan())) improves(in_adjacent_order());
     if (goes_on()) drop_tracks();
     context_.reach(kObstaclesFound);
     if (goes_on() && compare_ == Compare::kAll) add_for_comparison();
     std::optional<Plan> deepened;
-    if (!best_ || (goes_on() && lacks_room())) deepened = with_room(room_for_turns);
+    if (!best_ || goes_on()) deepened = with_room(room_for_turns);
     return compared(std::move(deepened));
   }
 
@@ -116,7 +111,7 @@ class Comparison {
     ComparedPlan& entry = plans_[i];
     if (entry.price || (best_ && context_.has_to_end())) return false;
     if (is_told_of(entry)) return false;
-    const bool may_win = !best_ || (!entry.lacks_room_like_others && least_expected(entry) < least_price());
+    const bool may_win = !best_ || least_expected(entry) + entry.lacks_room_like_others < least_price();
     if (!may_win && compare_ == Compare::kWhatMayWin) return false;
     const double before = least_price();
     plan_route(entry);
@@ -153,7 +148,7 @@ class Comparison {
                      [this](std::size_t a, std::size_t b) { return plans_[a].floor < plans_[b].floor; });
     for (std::size_t done = 0; done < order.size(); ++done) {
       ComparedPlan& entry = plans_[order[done]];
-      entry.lacks_room_like_others = others_lack_room(plans_, entry);
+      entry.lacks_room_like_others = room_lacked_by_others(plans_, entry);
       improves(order[done]);
       const double share = static_cast<double>(done + 1) / static_cast<double>(order.size());
       context_.reach(kBegun + (kFirstRoutes - kBegun) * share);
@@ -161,12 +156,23 @@ class Comparison {
   }
 
   const HeadlandTrial& best() const { return plans_[*best_].laid.trial; }
+  const Plan& best_plan() const { return best().draft.plan; }
 
-  /// More or fewer passes all round the field, as long as that costs less; none where open passes have
-  /// turned out better on narrow land. The tracks of least cost behind them are searched for where the best
-  /// ones so far, laid anew, come near.
+  /// More or fewer passes all round the field, as long as that costs less; where the best plan hardly works
+  /// all depths to some beyond the least, and no headland. The tracks of least cost behind them are searched
+  /// for where the best ones so far, laid anew, come near.
   void vary_depth() {
     if (problem_.settings.headland_rule != HeadlandRule::kTurns) return;
+    if (!best_ || hardly_works(best_plan())) {
+      const std::vector<int> obstacles = best_ ? best().passes.obstacles : layouts_.passes_round_all();
+      for (int passes = 0; passes <= layouts_.least_passes() + kDeeper; ++passes) {
+        if (best_ && context_.has_to_end()) return;
+        const PassesByBoundary round = layouts_.all_round(passes, obstacles);
+        improves_with(round);
+        if (narrow_) vary_prices(round);
+      }
+      return;
+    }
     if (narrow_ && !all_round(best().passes)) return;
     const int alone = layouts_.passes_alone();
     if (alone > 0 && improves_with_passes(alone)) {
@@ -206,7 +212,7 @@ class Comparison {
       best_comes_near = least_expected(plans_[last]) <= (1 + kComesNear) * least_price();
       cheaper = improves(last) || cheaper;
     }
-    if (!cheaper && !best_comes_near) return false;
+    if (!cheaper && !best_comes_near && !(narrow_ && hardly_works(best_plan()))) return false;
     for (LaidOut& laid : layouts_.searched(passes))
       if (!has_such(plans_, laid.trial.draft.plan, passes)) cheaper = improves(std::move(laid)) || cheaper;
     return cheaper;
@@ -222,9 +228,8 @@ class Comparison {
   }
 
   /// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what
-  /// is best by the usual prices is laid behind the passes of the best plan too.
-  void vary_prices() {
-    const PassesByBoundary passes = best().passes;
+  /// is best by the usual prices is laid out too.
+  void vary_prices(const PassesByBoundary& passes) {
     const std::optional<Plan> usual = layouts_.best_by_usual_prices(passes);
     if (usual && !has_such(plans_, *usual, passes))
       improves(layouts_.laid_out(Alternative::kSearched, *usual, passes));
@@ -238,7 +243,7 @@ class Comparison {
 
   void vary_grid(std::size_t of) {
     const Plan& plan = plans_[of].plan();
-    if (plan.pieces.empty() || plan.pieces.size() > kFewTracks || !problem_.field.obstacles.empty()) return;
+    if (plan.pieces.empty() || !has_few_tracks(plan) || !problem_.field.obstacles.empty()) return;
     ComparedPlans near;
     for (LaidOut& laid : beside(plans_[of].laid, kDrafted)) near.push_back(compared_plan(std::move(laid)));
     std::stable_sort(near.begin(), near.end(),
@@ -340,37 +345,38 @@ class Comparison {
 
   /// Passes all round take land from tracks, also beside them. Where they leave tracks most of the field that
   /// costs less than the ends of open passes, in and out of which the machine has to be turned or backed.
-  bool open_passes_may_pay() const { return narrow_ || lacks_room(); }
-
-  /// Whether the best plan has legs without room besides those between parts of the land, or backs out of or
-  /// into every fourth track.
-  bool lacks_room() const {
-    const Plan& plan = best().draft.plan;
-    const auto back_outs = std::count_if(plan.route.legs.begin(), plan.route.legs.end(),
-                                         [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
-    return leaves_land(best().draft) ||
-           kSeldomBacksOut * static_cast<std::size_t>(back_outs) > plan.pieces.size();
+  bool open_passes_may_pay() const {
+    return narrow_ || lacks_room(best().draft) || hardly_works(best_plan());
   }
 
-  /// The plan with headlands deepened where turns lack room, if that costs less. Where there is no other plan
-  /// its error is thrown.
+  /// Plans of other kinds that cost less where the best one lacks room or hardly works, or where there is
+  /// none: then the error is thrown for which there is no other either.
   std::optional<Plan> with_room(const RoomForTurns& room_for_turns) {
-    std::optional<Plan> out = cheaper_with_room(room_for_turns, LayoutBy::kTurns, least_price());
-    const bool few_tracks = best_ && best().draft.plan.pieces.size() <= kFewTracks;
-    if (!few_tracks || context_.has_to_end()) return out;
-    const double least = out ? whole_cost(*out).euros() : least_price();
-    std::optional<Plan> other = cheaper_with_room(room_for_turns, LayoutBy::kUsualPrices, least);
-    return other ? std::move(other) : std::move(out);
+    std::vector<LayoutBy> kinds;
+    const bool lacks = !best_ || lacks_room(best().draft);
+    if (lacks) kinds.push_back(LayoutBy::kTurns);
+    if (lacks && (!best_ || has_few_tracks(best_plan()))) kinds.push_back(LayoutBy::kUsualPrices);
+    if (!best_ || hardly_works_any_track(best_plan())) kinds.push_back(LayoutBy::kNoHeadland);
+    std::optional<Plan> out;
+    for (const LayoutBy kind : kinds) {
+      if (out && context_.has_to_end()) break;
+      const std::optional<double> least = out     ? std::optional(whole_cost(*out).euros())
+                                          : best_ ? std::optional(least_price())
+                                                  : std::nullopt;
+      if (std::optional<Plan> other = cheaper_with_room(room_for_turns, kind, least)) out = std::move(other);
+    }
+    return out;
   }
 
-  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy by, double least) {
+  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy by,
+                                        std::optional<double> least) {
     try {
       Plan plan = room_for_turns(by);
       if (!plan.route.planned()) return plan;
       all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
-      if (all_.back().cost.euros() < least) return plan;
+      if (!least || all_.back().cost.euros() < *least) return plan;
     } catch (const Error& error) {
-      if (!best_ || error.kind() != ErrorKind::kBadInput) throw;
+      if (!least || error.kind() != ErrorKind::kBadInput) throw;
     }
     return std::nullopt;
   }

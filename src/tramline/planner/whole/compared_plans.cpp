@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "tramline/planner/headland_choice/foreseen_passes.h"
 #include "tramline/planner/whole/dropped_tracks.h"
+#include "tramline/planner/whole/plan_faults.h"
 #include "tramline/planner/whole/route_floor.h"
 
 namespace tramline {
@@ -84,17 +86,17 @@ bool all_round(const PassesByBoundary& passes) {
          passes.edges.end();
 }
 
-bool leaves_land(const PlanDraft& draft) {
-  return legs_without_room(draft.plan.route, draft.plan.machine) + 1 > draft.parts;
-}
-
-bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan) {
+double room_lacked_by_others(const ComparedPlans& plans, const ComparedPlan& plan) {
   const int depth = depth_of(plan);
-  const auto lacking = std::count_if(plans.begin(), plans.end(), [&](const ComparedPlan& other) {
-    return other.price && !other.only_told_of && depth_of(other) == depth &&
-           leaves_land(other.laid.trial.draft);
-  });
-  return lacking >= kEnoughWithoutRoom;
+  std::ptrdiff_t lacking = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ComparedPlan& other : plans) {
+    if (!other.price || other.only_told_of || depth_of(other) != depth) continue;
+    if (!leaves_land(other.laid.trial.draft)) continue;
+    ++lacking;
+    least = std::min(least, whole_cost(other.plan()).without_room);
+  }
+  return lacking >= kEnoughWithoutRoom ? least : 0;
 }
 
 bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes) {

@@ -12,10 +12,10 @@ namespace tramline {
 /// A plan to be compared. It has its route where it has a price.
 struct ComparedPlan {
   LaidOut laid;
-  double floor = 0;               ///< route_floor(), EUR
-  std::optional<double> price{};  ///< the cost of its route, EUR
-  bool lacks_room_like_others = false;
-  bool only_told_of = false;  ///< it was not expected to win: nothing is made from it
+  double floor = 0;                   ///< route_floor(), EUR
+  std::optional<double> price{};      ///< the cost of its route, EUR
+  double lacks_room_like_others = 0;  ///< what its legs without room are expected to cost, EUR
+  bool only_told_of = false;          ///< it was not expected to win: nothing is made from it
 
   const Plan& plan() const { return laid.trial.draft.plan; }
   const PassesByBoundary& passes() const { return laid.trial.passes; }
@@ -31,12 +31,10 @@ inline constexpr double kComesNear = 0.1;
 /// Whether as many passes lie along all edges.
 bool all_round(const PassesByBoundary& passes);
 
-/// Whether a route has more legs without room than it takes to go from each part of the land to the next.
-bool leaves_land(const PlanDraft& draft);
-
-/// Whether several routes behind as many passes all round leave the land: then the shape of the land lacks
-/// room. O(n), as all that follow: none looks at anything but directions, passes and prices.
-bool others_lack_room(const ComparedPlans& plans, const ComparedPlan& plan);
+/// Where several routes behind as many passes all round leave the land the shape of the land lacks room: what
+/// their legs without room cost at the least, EUR; else 0. O(n), as all that follow: none looks at anything
+/// but directions, passes and prices.
+double room_lacked_by_others(const ComparedPlans& plans, const ComparedPlan& plan);
 
 /// Whether one of them has these passes and directions.
 bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes);

@@ -337,7 +337,7 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
   return out;
 }
 
-std::vector<LaidOut> RouteLayouts::behind_open_passes() const {
+std::vector<LaidOut> RouteLayouts::behind_open_passes() {
   std::vector<LaidOut> out;
   if (problem_.settings.headland_rule != HeadlandRule::kTurns) return out;
   const std::vector<Job> along = along_the_field({});
@@ -347,6 +347,10 @@ std::vector<LaidOut> RouteLayouts::behind_open_passes() const {
     if (std::none_of(along.begin(), along.end(),
                      [&](const Job& job) { return same_directions(job.layout, layout); }))
       open.emplace_back(Alternative::kSearched, &layout);
+  const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
+                              std::vector<int>(problem_.field.obstacles.size(), 0)};
+  const std::optional<Plan> usual = best_by_usual_prices(none);
+  if (usual) open.emplace_back(Alternative::kSearched, &*usual);
   std::vector<std::optional<LaidOut>> laid(open.size());
   for_each_index(laid.size(), context_,
                  [&](std::size_t i) { laid[i] = where_it_ends(open[i].first, *open[i].second); });

@@ -55,7 +55,7 @@ class RouteLayouts {
   std::vector<LaidOut> to_begin_with();
   /// The layouts, and tracks along the longest side and the length of the field, behind passes where their
   /// tracks end; none where the passes are given.
-  std::vector<LaidOut> behind_open_passes() const;
+  std::vector<LaidOut> behind_open_passes();
 
   /// Whether these passes leave other land than all others asked for before: where there is no room for more,
   /// more are the same.
