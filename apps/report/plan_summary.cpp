@@ -65,7 +65,7 @@ std::string passes_row(const Plan& plan) {
                      plan.pieces.size() + plan.headland.passes.size(), plan.machine.width_m,
                      tracks_and_passes_text(plan),
                      counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
-                     counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"));
+                     counted(stops(plan), "stop", "stops"));
 }
 
 /// What is odd about this plan or its field, the most important first. What holds for every plan is not odd.
@@ -148,8 +148,7 @@ std::string plan_line(const Plan& plan, double seconds) {
       land_m2(plan) / 1e4, counted(plan.pieces.size() + plan.headland.passes.size(), "pass", "passes"),
       distance_km(plan), share_text(plan, plan.tally.overlap_m2), share_text(plan, plan.tally.uncovered_m2),
       counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
-      counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"), seconds,
-      unworked.empty() ? "" : "; " + unworked);
+      counted(stops(plan), "stop", "stops"), seconds, unworked.empty() ? "" : "; " + unworked);
 }
 
 }  // namespace tramline::app

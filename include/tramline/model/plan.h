@@ -305,6 +305,10 @@ const char* kind_of_tracks(const Plan& plan);
 /// The reference lines that tracks follow, each once, in the order of the subfields. O(subfields²).
 std::vector<Path> references(const Plan& plan);
 
+/// How often the machine stops to back out or in: as its route says or, where there is none, Tally::stops.
+/// O(legs).
+std::size_t stops(const Plan& plan);
+
 /// The line that the tracks of all subfields follow; nullopt where some follow another one, or none.
 std::optional<Path> common_reference(const Plan& plan);
 

@@ -195,6 +195,10 @@ const char* kind_of_tracks(const Plan& plan) {
   return all ? "curved" : "straight and curved";
 }
 
+std::size_t stops(const Plan& plan) {
+  return plan.route.planned() ? sums_of(plan.route).back_outs : static_cast<std::size_t>(plan.tally.stops);
+}
+
 std::vector<Path> references(const Plan& plan) {
   std::vector<Path> out;
   for (const Subfield& subfield : plan.subfields)

@@ -332,20 +332,37 @@ PlanningProblem without_headlands_round(PlanningProblem problem) {
   return problem;
 }
 
+/// Land on which no track fits; passes may work it all the same.
+Plan without_tracks(const PlanningProblem& problem) {
+  Plan out;
+  out.field = problem.field;
+  out.machine = problem.machine;
+  return out;
+}
+
 ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
   // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
   constexpr double kLaidOut = 0.15;
-  const std::vector<Plan> layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
+  const bool by_turns = headlands_follow_turns(problem.settings);
+  std::vector<Plan> layouts;
+  std::optional<Error> no_track;
+  try {
+    layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
+  } catch (const Error& error) {
+    if (!by_turns || error.kind() != ErrorKind::kBadInput) throw;
+    no_track = error;
+    layouts.push_back(without_tracks(problem));
+  }
   const SearchContext comparing = context.for_part(kLaidOut, 1);
-  if (layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
+  if (!no_track && layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
   const auto room_for_turns = [&](LayoutBy by) {
+    if (no_track) throw Error(*no_track);
     const SearchContext deepening = comparing.uncounted().without_bound();
-    if (!headlands_follow_turns(problem.settings)) return searched(problem, deepening, Explain::kNo).plan;
+    if (!by_turns) return searched(problem, deepening, Explain::kNo).plan;
     if (by == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
-    if (by == LayoutBy::kNoHeadland)
-      return by_usual_prices(without_headlands_round(problem), comparing.uncounted());
-    return by_usual_prices(problem, comparing.uncounted());
+    return by_usual_prices(by == LayoutBy::kNoHeadland ? without_headlands_round(problem) : problem,
+                           comparing.uncounted());
   };
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
   ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);

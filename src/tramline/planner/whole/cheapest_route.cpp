@@ -170,6 +170,8 @@ class Comparison {
         const PassesByBoundary round = layouts_.all_round(passes, obstacles);
         improves_with(round);
         if (narrow_) vary_prices(round);
+        if (passes > 0) continue;
+        for (LaidOut& laid : layouts_.along_sides(round)) improves(std::move(laid));
       }
       return;
     }
@@ -350,7 +352,7 @@ class Comparison {
   }
 
   /// Plans of other kinds that cost less where the best one lacks room or hardly works, or where there is
-  /// none: then the error is thrown for which there is no other either.
+  /// none. Where there is none of these either the error of the last is thrown.
   std::optional<Plan> with_room(const RoomForTurns& room_for_turns) {
     std::vector<LayoutBy> kinds;
     const bool lacks = !best_ || lacks_room(best().draft);
@@ -358,26 +360,24 @@ class Comparison {
     if (lacks && (!best_ || has_few_tracks(best_plan()))) kinds.push_back(LayoutBy::kUsualPrices);
     if (!best_ || hardly_works_any_track(best_plan())) kinds.push_back(LayoutBy::kNoHeadland);
     std::optional<Plan> out;
-    for (const LayoutBy kind : kinds) {
-      if (out && context_.has_to_end()) break;
-      const std::optional<double> least = out     ? std::optional(whole_cost(*out).euros())
-                                          : best_ ? std::optional(least_price())
-                                                  : std::nullopt;
-      if (std::optional<Plan> other = cheaper_with_room(room_for_turns, kind, least)) out = std::move(other);
+    for (std::size_t i = 0; i < kinds.size() && !(out && context_.has_to_end()); ++i) {
+      const double least = out ? whole_cost(*out).euros() : least_price();
+      try {
+        if (std::optional<Plan> other = cheaper_with_room(room_for_turns, kinds[i], least))
+          out = std::move(other);
+      } catch (const Error& error) {
+        const bool last = i + 1 == kinds.size();
+        if ((!best_ && !out && last) || error.kind() != ErrorKind::kBadInput) throw;
+      }
     }
     return out;
   }
 
-  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy by,
-                                        std::optional<double> least) {
-    try {
-      Plan plan = room_for_turns(by);
-      if (!plan.route.planned()) return plan;
-      all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
-      if (!least || all_.back().cost.euros() < *least) return plan;
-    } catch (const Error& error) {
-      if (!least || error.kind() != ErrorKind::kBadInput) throw;
-    }
+  std::optional<Plan> cheaper_with_room(const RoomForTurns& room_for_turns, LayoutBy by, double least) {
+    Plan plan = room_for_turns(by);
+    if (!plan.route.planned()) return plan;
+    all_.push_back(alternative_of(Alternative::kRoomForTurns, plan));
+    if (all_.back().cost.euros() < least) return plan;
     return std::nullopt;
   }
 

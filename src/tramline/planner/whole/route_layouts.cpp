@@ -284,6 +284,14 @@ std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<L
   return out;
 }
 
+std::vector<LaidOut> RouteLayouts::along_sides(const PassesByBoundary& passes) {
+  std::vector<LaidOut> out;
+  const Behind& on = behind(passes);
+  for (const Job& job : along_the_field({}))
+    if (std::optional<LaidOut> laid = laid_out_on(on, job.kind, job.layout)) out.push_back(std::move(*laid));
+  return out;
+}
+
 int RouteLayouts::passes_alone() const {
   if (!problem_.field.obstacles.empty()) return 0;
   const double area_m2 = std::abs(signed_area(problem_.field.outer));
@@ -344,8 +352,9 @@ std::vector<LaidOut> RouteLayouts::behind_open_passes() {
   std::vector<std::pair<Alternative, const Plan*>> open;
   for (const Job& job : along) open.emplace_back(job.kind, &job.layout);
   for (const Plan& layout : layouts_)
-    if (std::none_of(along.begin(), along.end(),
-                     [&](const Job& job) { return same_directions(job.layout, layout); }))
+    if (!layout.subfields.empty() && std::none_of(along.begin(), along.end(), [&](const Job& job) {
+          return same_directions(job.layout, layout);
+        }))
       open.emplace_back(Alternative::kSearched, &layout);
   const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
                               std::vector<int>(problem_.field.obstacles.size(), 0)};

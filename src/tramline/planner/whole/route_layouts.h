@@ -71,6 +71,9 @@ class RouteLayouts {
   /// straight ones. None where no edge is a curve.
   std::vector<LaidOut> along_curves(const PassesByBoundary& passes);
 
+  /// Tracks along the longest side and the length of the field behind these passes.
+  std::vector<LaidOut> along_sides(const PassesByBoundary& passes);
+
   /// The straight tracks of least cost behind these passes by the usual prices of tracks (Objective) instead
   /// of those of the problem, by which a turn mostly costs less; nullopt where no track fits.
   std::optional<Plan> best_by_usual_prices(const PassesByBoundary& passes);

@@ -11,6 +11,7 @@
 
 #include "tramline/render/close_up/close_up_window.h"
 #include "tramline/render/page/visible_faults.h"
+#include "tramline/render/stops/stop_places.h"
 
 namespace tramline::render {
 namespace {
@@ -101,10 +102,7 @@ bool inside(Point p, const Box& box) {
 }
 
 bool shows_stop(const Plan& near, const Box& seen) {
-  return std::any_of(near.pieces.begin(), near.pieces.end(), [&](const TrackPiece& piece) {
-    return (piece.stop_at_start && inside(piece.start, seen)) ||
-           (piece.stop_at_end && inside(piece.end, seen));
-  });
+  return std::ranges::any_of(stop_places(near), [&](const StopPlace& stop) { return inside(stop.at, seen); });
 }
 
 bool shows_detour(const Plan& near, const Box& seen) {

@@ -9,6 +9,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/model/detour_summary.h"
 #include "tramline/render/page/visible_faults.h"
+#include "tramline/render/stops/stop_places.h"
 
 namespace tramline::render {
 namespace {
@@ -18,11 +19,6 @@ constexpr std::size_t kMostSubfieldRows = 12;
 bool has(const Field& field, ObstacleKind kind) {
   return std::any_of(field.obstacles.begin(), field.obstacles.end(),
                      [&](const Obstacle& obstacle) { return obstacle.kind == kind; });
-}
-
-bool has_stops(const Plan& plan) {
-  return std::any_of(plan.pieces.begin(), plan.pieces.end(),
-                     [](const TrackPiece& piece) { return piece.stop_at_start || piece.stop_at_end; });
 }
 
 // Small areas with a decimal: a sliver of 0.4 m² is not nothing.
@@ -73,7 +69,7 @@ LegendBlock symbols(const Plan& plan) {
   add(plan.route.planned(), Symbol::kRouteEnd, "the route ends");
   add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: not worth driving");
-  add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
+  add(!stop_places(plan).empty(), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
   const bool unworked = !visible_faults(plan.headland.unworked).empty();
   add(unworked || !visible_faults(plan.uncovered).empty(), Symbol::kUncovered, "uncovered");
@@ -128,7 +124,7 @@ LegendBlock numbers(const Plan& plan) {
     }
     add("track length", length_text(tally.track_length_m));
     add("turns", std::to_string(tally.turns));
-    add("stops", std::to_string(tally.stops));
+    add("stops", std::to_string(stops(plan)));
     if (const int detours = summary_of_detours(plan).count(); detours > 0)
       add("detours", std::to_string(detours));
     if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));

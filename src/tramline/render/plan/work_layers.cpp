@@ -4,6 +4,7 @@
 #include "tramline/render/page/page_headings.h"
 #include "tramline/render/page/visible_faults.h"
 #include "tramline/render/plan/layers.h"
+#include "tramline/render/stops/stop_places.h"
 
 namespace tramline::render {
 namespace {
@@ -118,12 +119,10 @@ void draw_faults(Canvas& canvas, const Plan& plan) {
 void draw_stops(Canvas& canvas, const Plan& plan) {
   const double k = canvas.scale();
   const double radius = std::clamp(0.36 * swath_px(canvas, plan), kLeastStop * k, kStopRadius * k);
-  for (const TrackPiece& piece : plan.pieces) {
-    if (!drivable(piece)) continue;
+  for (const StopPlace& stop : stop_places(plan)) {
     // On the track's side of its end: a pylon is smaller than two marks.
-    const Point start = canvas.view().to_page(piece.start), end = canvas.view().to_page(piece.end);
-    if (piece.stop_at_start) draw_stop_mark(canvas, start + radius * heading_at_start(piece), radius);
-    if (piece.stop_at_end) draw_stop_mark(canvas, end - radius * heading_at_end(piece), radius);
+    const Point at = canvas.view().to_page(stop.at);
+    draw_stop_mark(canvas, at + radius * on_page(stop.back), radius);
   }
 }
 
