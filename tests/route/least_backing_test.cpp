@@ -164,6 +164,34 @@ struct Line {
   bool bent = false;
 };
 
+// On a field 24 m wide two tracks run 12 m apart from edge to edge, and the second is to be worked the same
+// way as the first. Having backed all along the first the machine stands at the edge, where it can neither
+// turn round nor get aside: it stops again to back into the second.
+TEST(LeastBacking, FromOneEndToABeginningBesideTheOtherTakesTwoStops) {
+  const Machine machine = six_metres();
+  constexpr double kStop_s = 100;
+  const LeastBacking backing(rectangle_of(24, 60), 0, machine, kStop_s);
+  EXPECT_GE(between(backing, north_to({6, 60}, 60), north_to({18, 60}, 60), machine), 2 * kStop_s + 60);
+}
+
+// On a strip on which it cannot turn round the machine gets 11.9 m aside by two arcs of 6 m that lead it
+// √(11.9 · (4 · 6 − 11.9)) = 12 m on. If the second track begins 13 m farther on than the first it backs 59 m
+// of the 60 and stops once; where it begins 2 m farther on, it stops twice.
+TEST(LeastBacking, GetsAsideOnlyByGoingOn) {
+  Machine machine = six_metres();
+  machine.turning.reverse_speed_mps = machine.turning.turning_speed_mps = 3;
+  constexpr double kStop_s = 100;
+  const LeastBacking backing(rectangle_of(17.9, 60), 0, machine, kStop_s);
+  const auto begun_s = [&](double farther_on_m) {
+    return between(backing, north_to({3, 60}, 60), north_to({14.9, 60}, 60 - farther_on_m), machine);
+  };
+  const double turned = std::acos(1 - 11.9 / 12);
+  const double aside_s = kStop_s + 2 * 2 + 59.0 / 3 + 2 * 6 * turned / 3;
+  EXPECT_LE(begun_s(13), aside_s);
+  EXPECT_GE(begun_s(13), aside_s - 0.5);
+  EXPECT_GE(begun_s(2), 2 * kStop_s);
+}
+
 /// A field that is often narrow, with four sides or five.
 Ring random_field_of_sides(std::mt19937_64& random) {
   const double wide_m = uniform(random, 9, 60), long_m = uniform(random, 40, 120);
@@ -217,8 +245,17 @@ Machine random_machine_that_backs(std::mt19937_64& random) {
   return out;
 }
 
+/// On from its end in the same gear, by an arc that the machine can turn, or not.
+SteeredPath driven_on(SteeredPath path, const Machine& machine, std::mt19937_64& random) {
+  if (any_of(random, 0, 1) == 0) return path;
+  const double curvature = uniform(random, -1, 1) / machine.radius_m;
+  path.push_back(arc_from(end_of(path.back()), uniform(random, 0, 12), curvature, path.back().gear));
+  return path;
+}
+
 /// The cheapest of ways tried at random, if one has room, each stop counted besides its time: out of the one
-/// line and into the other from any distance along them, by words of Dubins, straight or over another pose.
+/// line and into the other from any distance along them, or all along and on, by words of Dubins, straight or
+/// over another pose.
 std::optional<double> cheapest_tried_s(const SteeredPath& left, const SteeredPath& entered, const Ring& field,
                                        const AllowedLand& land, const Machine& machine, double stop_s,
                                        std::mt19937_64& random) {
@@ -227,13 +264,18 @@ std::optional<double> cheapest_tried_s(const SteeredPath& left, const SteeredPat
   const Box box = bounds(field);
   std::optional<double> out_s;
   for (int i = 0; i < 400; ++i) {
-    const double out_m = any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(left));
-    const double in_m = any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(entered));
+    const bool all_out = any_of(random, 0, 5) == 0, all_in = any_of(random, 0, 5) == 0;
+    const double out_m =
+        all_out ? length(left) : any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(left));
+    const double in_m =
+        all_in ? length(entered) : any_of(random, 0, 2) * uniform(random, 0, 0.5 * length(entered));
     SteeredPath begin = out_m > 0 ? retraced(part_of(left, length(left) - out_m, length(left)))
                                   : SteeredPath{arc_from(end_of(left), turning.lift_m, 0, Gear::kForward)};
+    if (all_out) begin = driven_on(begin, machine, random);
     const Pose before = moved_on(entered.front().start, -turning.lower_m);
-    const SteeredPath end = in_m > 0 ? retraced(part_of(entered, 0, in_m))
-                                     : SteeredPath{arc_from(before, turning.lower_m, 0, Gear::kForward)};
+    SteeredPath end = in_m > 0 ? retraced(part_of(entered, 0, in_m))
+                               : SteeredPath{arc_from(before, turning.lower_m, 0, Gear::kForward)};
+    if (all_in) end = retraced(driven_on(retraced(end), machine, random));
     const double stops_s = stop_s * ((out_m > 0 ? 1 : 0) + (in_m > 0 ? 1 : 0));
     const Pose from = end_of(begin), to = end.front().start;
     const Pose over{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},

@@ -351,15 +351,16 @@ std::vector<LaidOut> RouteLayouts::behind_open_passes() {
   const std::vector<Job> along = along_the_field({});
   std::vector<std::pair<Alternative, const Plan*>> open;
   for (const Job& job : along) open.emplace_back(job.kind, &job.layout);
-  for (const Plan& layout : layouts_)
-    if (!layout.subfields.empty() && std::none_of(along.begin(), along.end(), [&](const Job& job) {
-          return same_directions(job.layout, layout);
-        }))
-      open.emplace_back(Alternative::kSearched, &layout);
+  const auto add = [&](const Plan& layout) {
+    const bool known = std::any_of(open.begin(), open.end(),
+                                   [&](const auto& one) { return same_directions(*one.second, layout); });
+    if (!known && !layout.subfields.empty()) open.emplace_back(Alternative::kSearched, &layout);
+  };
+  for (const Plan& layout : layouts_) add(layout);
   const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
                               std::vector<int>(problem_.field.obstacles.size(), 0)};
   const std::optional<Plan> usual = best_by_usual_prices(none);
-  if (usual) open.emplace_back(Alternative::kSearched, &*usual);
+  if (usual) add(*usual);
   std::vector<std::optional<LaidOut>> laid(open.size());
   for_each_index(laid.size(), context_,
                  [&](std::size_t i) { laid[i] = where_it_ends(open[i].first, *open[i].second); });

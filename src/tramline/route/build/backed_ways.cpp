@@ -144,6 +144,7 @@ double BackedWays::least_s(const AskedBacking& asked, double known_s) const {
       all.out = out;
       all.in = in;
       all.in_all = asked.in_all_m;
+      if (out != in) all.in_all = std::max(all.in_all, out ? asked.only_out_m : asked.only_in_m);
       if (out) all.out_from = asked.out_m.value_or(0), all.out_to = left_.length_m;
       if (in) all.in_from = asked.in_m.value_or(0), all.in_to = entered_.length_m;
       known_s = std::min(known_s, least_of(all, known_s));

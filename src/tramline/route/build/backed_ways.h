@@ -19,10 +19,12 @@ struct BackingTerms {
   double radius_m = 0;  ///< more than 0
 };
 
-/// Distances to be backed at least, m: out, in, and both together. None out or in: it need not back there.
+/// Distances to be backed at least, m: out, in, and both together; and out or in where it backs only there.
+/// None out or in: it need not back there.
 struct AskedBacking {
   std::optional<double> out_m{}, in_m{};
   double in_all_m = 0;
+  double only_out_m = 0, only_in_m = 0;
 };
 
 /// Ways from leaving one line to entering another that back no farther than these are followed.

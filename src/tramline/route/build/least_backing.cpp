@@ -40,24 +40,67 @@ double bent(const Pose& pose, Point ahead) {
 /// Where the machine points when it leaves, or would point if it drove the way from its end.
 Point outwards(const LineExit& exit) { return -exit.backing * exit.pose.heading.unit(); }
 
-/// What the sides ask of one end of a way, m.
+/// To back in all, at both ends together, or at one end only, m.
+struct HeadsAllAlong {
+  double in_all_m = kNowhere_m, here_only_m = kNowhere_m, there_only_m = kNowhere_m;
+};
+
+/// What the sides ask of one end of a way.
 struct Needed {
   std::optional<double> back_m{};  ///< to back there so far at least; nullopt: nothing
-  /// Or to back so far in all, at both ends together, to head for a side all the way.
-  double or_in_all_m = kNever_s;
+  HeadsAllAlong or_all_along{};    ///< or so far, to head for a side all the way
 };
+
+/// How far a way gets towards a side at the least while it heads for it all along and gets so far aside, m.
+/// The sines are those of the headings at its ends, from straight at the side to where it gets. Over a length
+/// it is turned aside nowhere by more than by arcs of radius r from both ends, and by no more than π/2: by
+/// these it gets farthest aside, and towards the side least far.
+double advances_m(double aside_m, double sine, double sine_to, double radius_m) {
+  const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine)),
+               cosine_to = std::sqrt(std::max(0.0, 1 - sine_to * sine_to));
+  if (aside_m <= radius_m * std::abs(cosine - cosine_to)) return 0;
+  const double flattest = std::max(0.0, 0.5 * (cosine + cosine_to - aside_m / radius_m));
+  return std::max(0.0, radius_m * (2 * std::sqrt(1 - flattest * flattest) - sine - sine_to));
+}
+
+/// Of ways that head for a side near to one end, and lead away from it at neither.
+HeadsAllAlong all_along(const NearSide& side, const LineExit& exit, const LineExit& other, double farther_m,
+                        double radius_m) {
+  const double own_towards = -dot(outwards(exit), side.inwards) + exit.bent;
+  const double towards = dot(outwards(other), side.inwards) + other.bent;
+  HeadsAllAlong out;
+  out.in_all_m = out.here_only_m = out.there_only_m = farther_m / std::max(towards, own_towards);
+  if (exit.bent > 0 || other.bent > 0) return out;
+  constexpr double kLess_m = 1e-3;  // than the verifier may ask for
+  const Point along = left_of(side.inwards);
+  const double apart_m = (exit.backing < 0 ? 1 : -1) * dot(other.pose.at - exit.pose.at, along);
+  const double sine = dot(exit.pose.heading.unit(), along), sine_to = dot(other.pose.heading.unit(), along);
+  const auto only_m = [&](const LineExit& backing, double sine_of_it, double towards_of_it) {
+    // How far aside the way gets from where it backs so far at the least, and at the most.
+    const double from_m = apart_m + out.in_all_m * sine_of_it, to_m = apart_m + backing.length_m * sine_of_it;
+    if (from_m * to_m <= 0) return out.in_all_m;
+    const double sign = from_m > 0 ? 1 : -1, aside_m = std::min(std::abs(from_m), std::abs(to_m));
+    const double least_m = advances_m(aside_m, sign * sine, sign * sine_to, radius_m) - kLess_m;
+    return (farther_m + std::max(0.0, least_m)) / towards_of_it;
+  };
+  out.here_only_m = std::max(out.in_all_m, only_m(exit, sine, own_towards));
+  out.there_only_m = std::max(out.in_all_m, only_m(other, sine_to, towards));
+  return out;
+}
 
 /// Where the way heads for a side at its other end too, it need not turn away from it, but then it cannot
 /// lead away from it.
-Needed needed_of(const LineExit& exit, const LineExit& other) {
+Needed needed_of(const LineExit& exit, const LineExit& other, double radius_m) {
   Needed out;
+  HeadsAllAlong& least = out.or_all_along;
   for (const NearSide& side : exit.near) {
-    const double towards = dot(outwards(other), side.inwards) + other.bent;
-    if (towards > 0) {
+    if (dot(outwards(other), side.inwards) + other.bent > 0) {
       const double farther_m = dot(other.pose.at - exit.pose.at, side.inwards);
       if (farther_m <= 0) continue;
-      const double own_towards = -dot(outwards(exit), side.inwards) + exit.bent;
-      out.or_in_all_m = std::min(out.or_in_all_m, farther_m / std::max(towards, own_towards));
+      const HeadsAllAlong ways = all_along(side, exit, other, farther_m, radius_m);
+      least.in_all_m = std::min(least.in_all_m, ways.in_all_m);
+      least.here_only_m = std::min(least.here_only_m, ways.here_only_m);
+      least.there_only_m = std::min(least.there_only_m, ways.there_only_m);
     }
     out.back_m = std::max(out.back_m.value_or(0), side.back_m);
   }
@@ -79,6 +122,12 @@ LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& ma
     reach_m_ = std::max({reach_m_, std::abs(box.min_x), std::abs(box.max_x)});
   }
   aside_m_ = std::min(left_m, right_m);
+  behind_m_ = ahead_m_ = -reach_m_;
+  for (const Box& box : outline.on_machine)
+    if (std::min(box.max_y, -box.min_y) >= aside_m_) {
+      behind_m_ = std::max(behind_m_, -box.min_x);
+      ahead_m_ = std::max(ahead_m_, box.max_x);
+    }
   const Ring hull = hull_of(outer);
   strip_.width_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -136,6 +185,7 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
     before = end.heading.unit();
   }
   out.length_m = length(out.line);
+  out.whole = out.line.size() == line.size();
   const Pose lifted = moved_on(out.pose, -backing * straight_on_m);
   const Point off = -backing * ahead;
   for (const Side& side : sides_) {
@@ -157,8 +207,10 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
 LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double straight_on_m) const {
   LineExits out{exit_of(line, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
-  if (out.whole.bent > 0 && bend != line.begin())
+  if (out.whole.bent > 0 && bend != line.begin()) {
     out.straight = exit_of(SteeredPath(line.begin(), bend), backing, straight_on_m);
+    out.straight->whole = false;
+  }
   return out;
 }
 
@@ -197,25 +249,72 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
 double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
                                  Along along) const {
   if (along == Along::kOppositeWays) return kNever_s;
-  const Needed at_left = needed_of(left, entered), at_entered = needed_of(entered, left);
+  const Needed at_left = needed_of(left, entered, terms_.radius_m),
+               at_entered = needed_of(entered, left, terms_.radius_m);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
   const double turning_s = ways.least_s({at_left.back_m, at_entered.back_m, in_all_m}, kNever_s);
-  const double or_in_all_m = std::min(at_left.or_in_all_m, at_entered.or_in_all_m);
-  if (or_in_all_m == kNever_s) return turning_s;
-  return ways.least_s({{}, {}, std::max(in_all_m, or_in_all_m)}, turning_s);
+  const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
+  const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
+  if (or_in_all_m == kNowhere_m) return turning_s;
+  return ways.least_s({{},
+                       {},
+                       std::max(in_all_m, or_in_all_m),
+                       std::min(of_left.here_only_m, of_entered.there_only_m),
+                       std::min(of_left.there_only_m, of_entered.here_only_m)},
+                      turning_s);
+}
+
+/// From a pose that leads away from a side, backing on (`sense` +1), or forward on from one that leads to it
+/// (-1), while it has room. At an angle φ₀ to the side it reaches φ ≤ φ₀ not before it is r (cos φ − cos φ₀)
+/// nearer, and at φ the corners a aside and b towards the side are a cos φ + b sin φ nearer than the axle.
+LeastBacking::Aslant LeastBacking::aslant(const Side& side, const Pose& pose, double sense) const {
+  const Aslant parallel{0, kNowhere_m};
+  const double steep = dot(sense * pose.heading.unit(), side.inwards);
+  if (steep <= kParallel) return parallel;
+  const double angle = std::asin(std::min(1.0, steep));
+  const double room_m = dot(pose.at - side.at, side.inwards) + kTouching_m;
+  const double towards_m = sense > 0 ? behind_m_ : ahead_m_;
+  const double takes_m = std::hypot(terms_.radius_m + aside_m_, towards_m);
+  const double most_at = std::atan2(towards_m, terms_.radius_m + aside_m_);
+  const double given_m = room_m + terms_.radius_m * std::cos(angle);
+  if (given_m >= takes_m || most_at >= angle) return parallel;
+  const double flattest = std::min(angle, most_at + std::acos(given_m / takes_m));
+  if (flattest <= kParallel) return parallel;
+  const double least_m = std::min(aside_m_ * std::cos(flattest) + towards_m * std::sin(flattest), towards_m);
+  return {flattest, std::max(0.0, room_m - least_m) / std::tan(flattest)};
+}
+
+/// Whether the machine may back all along a line and on, stop, and go forward to the other end of the way;
+/// or, the other way round, go forward from it, stop, and back all along the line.
+bool LeastBacking::one_stop_may_do(const LineExit& exit, const LineExit& other) const {
+  constexpr double kFarther_m = 1e-3, kSteeper = 1e-6;  // than the verifier may know of
+  const Pose beyond = backed(exit, exit.length_m);
+  for (const Side& side : sides_) {
+    const Aslant aslant_to = aslant(side, beyond, -exit.backing);
+    if (aslant_to.flattest == 0) continue;
+    // Both lead away from the side, and between is no place at which the machine is parallel to it.
+    const double apart_m = std::abs(cross(other.pose.at - beyond.at, side.inwards));
+    const double aside_m = aslant_to.aside_m + aslant(side, other.pose, -exit.backing).aside_m;
+    if (apart_m > aside_m + kFarther_m) return false;
+    // It heads for a side that the other leads away from, and is too near to.
+    for (const NearSide& near : other.near) {
+      const double skew = std::asin(std::min(1.0, std::abs(cross(side.inwards, near.inwards))));
+      if (dot(side.inwards, near.inwards) < 0 && skew + kSteeper < aslant_to.flattest) return false;
+    }
+  }
+  return true;
 }
 
 /// Ways that back farther along one of them, by whatever way from there.
 double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
   const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
-  const auto rest_s = [&](const Pose& from, const Pose& to) {
-    return reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps;
+  const auto seconds = [&](const LineExit& exit, const LineExit& other, const Pose& from, const Pose& to) {
+    const int stops = exit.whole && !one_stop_may_do(exit, other) ? 2 : 1;
+    return stops * terms_.stop_s + exit.length_m / terms_.turning.reverse_speed_mps +
+           reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps;
   };
-  const double out_s =
-      left.length_m / terms_.turning.reverse_speed_mps + rest_s(backed(left, left.length_m), entered.pose);
-  const double in_s = entered.length_m / terms_.turning.reverse_speed_mps +
-                      rest_s(left.pose, backed(entered, entered.length_m));
-  return terms_.stop_s + std::min(out_s, in_s);
+  return std::min(seconds(left, entered, backed(left, left.length_m), entered.pose),
+                  seconds(entered, left, left.pose, backed(entered, entered.length_m)));
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
@@ -227,8 +326,8 @@ double LeastBacking::between(const LineExits& left, const LineExits& entered, do
 double LeastBacking::least_between(const LineExit& left, const LineExit& entered, double known_s) const {
   const Along along = on_strip(left, entered);
   const BackedWays ways(terms_, left, entered);
-  if (along == Along::kFree && !ways.loop() && !needed_of(left, entered).back_m &&
-      !needed_of(entered, left).back_m)
+  if (along == Along::kFree && !ways.loop() && !needed_of(left, entered, terms_.radius_m).back_m &&
+      !needed_of(entered, left, terms_.radius_m).back_m)
     return known_s;
   const double beyond_s = least_beyond(left, entered);
   if (beyond_s <= known_s) return known_s;

@@ -21,6 +21,9 @@ namespace tramline {
 /// only. If both ends of a way turn to the same, it has to drive a loop between. On a strip of land narrower
 /// than its outline and twice its radius, no machine that drives along it turns to the opposite heading:
 /// turning by half a circle takes it 2 r across. Nor does it come back to a place that it has passed.
+/// Where it has backed all along a line and on, it is aslant to the side behind it as long as that leaves it
+/// no room to come parallel: so it does not get far along that side before it stops, nor forward to where
+/// another line begins too near to a side that it heads for. Then it has to stop to back once more.
 /// Each stop to back counts `stop_s` besides its time.
 class LeastBacking {
  public:
@@ -54,14 +57,23 @@ class LeastBacking {
   double lacks_m(const Side& side, const Pose& pose, double backing, Turned turned) const;
   double back_m(const Side& side, const LineExit& exit, Turned turned) const;
   double lacking_m(const LineExit& left, const LineExit& entered) const;
+  /// How a machine moves on towards a side.
+  struct Aslant {
+    double flattest = 0;  ///< angle to the side, rad; 0 where it may come parallel to it
+    double aside_m = 0;   ///< how far along the side it gets at the most; infinite then
+  };
+  Aslant aslant(const Side& side, const Pose& pose, double sense) const;
+  bool one_stop_may_do(const LineExit& exit, const LineExit& other) const;
   double least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
                      Along along) const;
   double least_beyond(const LineExit& left, const LineExit& entered) const;
   double least_between(const LineExit& left, const LineExit& entered, double known_s) const;
 
   BackingTerms terms_;
-  double aside_m_;  ///< the outline reaches at least as far to either side
-  double reach_m_;  ///< and no farther ahead or behind
+  double aside_m_;   ///< the outline reaches at least as far to either side
+  double behind_m_;  ///< with corners there so far behind the axle
+  double ahead_m_;   ///< and so far ahead
+  double reach_m_;   ///< and no farther ahead or behind
   std::vector<Side> sides_;
   Strip strip_;
 };

@@ -30,6 +30,7 @@ struct LineExit {
   double backing = -1;  ///< along the heading: -1 out of an end, +1 into a beginning
   SteeredPath line{};   ///< from there as far as it turns by little and as the machine could
   double length_m = 0;  ///< of that
+  bool whole = false;   ///< to its other end
   double bent = 0;      ///< by how much it turns, as a sine
   std::vector<NearSide> near{};
   std::vector<OneWaySide> one_way{};

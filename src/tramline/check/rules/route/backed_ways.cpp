@@ -95,7 +95,8 @@ struct Search {
         Range all;
         all.out = out;
         all.in = in;
-        all.together_m = asked.together_m;
+        const double alone_m = out && !in ? asked.out_alone_m : in && !out ? asked.in_alone_m : 0;
+        all.together_m = std::max(asked.together_m, alone_m);
         if (out) all.least.out_m = asked.out_m.value_or(0), all.most.out_m = from.follows_m;
         if (in) all.least.in_m = asked.in_m.value_or(0), all.most.in_m = to.follows_m;
         if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push_split(all);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "tramline/check/turning/driven_machine.h"
 #include "tramline/check/turning/shortest_ways.h"
@@ -63,21 +64,75 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   return out;
 }
 
-struct Asked {
-  std::optional<double> back_m{};
-  double instead_m = kNever_s;  ///< or at both ends together
+/// Distances backed at both ends together, at this end alone, or at the other alone, m.
+struct Instead {
+  double together_m = kNever_s, here_m = kNever_s, there_m = kNever_s;
 };
 
+struct Asked {
+  std::optional<double> back_m{};
+  Instead instead{};  ///< or so, and never parallel to some side
+};
+
+/// What a way comes nearer to a side by that it heads for all along while it gets aside by `aside_m`, its
+/// heading at first and last `leans` and `leans_to` to that side (rad): it is turned aside by as much as arcs
+/// from both ends allow, to an angle that is found by halving.
+double comes_nearer_m(double aside_m, double leans, double leans_to, double radius_m) {
+  const auto aside_by_m = [&](double most) {
+    return radius_m * (std::cos(leans) + std::cos(leans_to) - 2 * std::cos(most));
+  };
+  double less = std::max(std::abs(leans), std::abs(leans_to)), most = 0.5 * std::numbers::pi;
+  if (aside_m <= aside_by_m(less)) return 0;
+  if (aside_m >= aside_by_m(most)) less = most;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (less + most);
+    (aside_by_m(middle) > aside_m ? most : less) = middle;
+  }
+  return std::max(0.0, radius_m * (2 * std::sin(less) - std::sin(leans) - std::sin(leans_to)));
+}
+
+Instead heading_all_along(const SideAhead& side, const WayEnd& end, const WayEnd& other, double nearer_m,
+                          double radius_m) {
+  const double arrives = dot(other.off, side.inwards) + other.turns;
+  const double leaves = end.turns - dot(end.off, side.inwards);
+  Instead out;
+  out.together_m = out.here_m = out.there_m = nearer_m / std::max(arrives, leaves);
+  if (end.turns > 0 || other.turns > 0) return out;
+  // From where the way begins to where it ends, with one end backed by so much.
+  const auto leads = [&](const WayEnd& backs, double by_m) {
+    const Point here = (&backs == &end ? end.backed(by_m) : end.at).at,
+                there = (&backs == &other ? other.backed(by_m) : other.at).at;
+    return end.sense < 0 ? there - here : here - there;
+  };
+  const auto alone_m = [&](const WayEnd& backs, double gains) {
+    const Point side_by_side{side.inwards.y, -side.inwards.x};
+    const double least_m = dot(leads(backs, out.together_m), side_by_side),
+                 most_m = dot(leads(backs, backs.follows_m), side_by_side);
+    if (out.together_m > backs.follows_m || std::signbit(least_m) != std::signbit(most_m))
+      return out.together_m;
+    const Point aside = least_m < 0 ? -1 * side_by_side : side_by_side;
+    const auto lean = [&](const WayEnd& of) {
+      return std::asin(std::clamp(dot(of.at.heading.unit(), aside), -1.0, 1.0));
+    };
+    const double aside_m = std::min(std::abs(least_m), std::abs(most_m));
+    return (nearer_m + comes_nearer_m(aside_m, lean(end), lean(other), radius_m)) / gains;
+  };
+  out.here_m = std::max(out.together_m, alone_m(end, leaves));
+  out.there_m = std::max(out.together_m, alone_m(other, arrives));
+  return out;
+}
+
 /// Ways that head for a side where they end as well may never turn away from it, if they end nearer to it.
-Asked asked(const WayEnd& end, const WayEnd& other) {
+Asked asked(const WayEnd& end, const WayEnd& other, double radius_m) {
   Asked out;
   for (const SideAhead& side : end.sides) {
-    const double arrives = dot(other.off, side.inwards) + other.turns;
-    if (arrives > 0) {
-      const double nearer_m = dot(end.at.at - other.at.at, side.inwards);
-      if (nearer_m >= 0) continue;
-      const double leaves = end.turns - dot(end.off, side.inwards);
-      out.instead_m = std::min(out.instead_m, -nearer_m / std::max(arrives, leaves));
+    if (dot(other.off, side.inwards) + other.turns > 0) {
+      const double nearer_m = dot(other.at.at - end.at.at, side.inwards);
+      if (nearer_m <= 0) continue;
+      const Instead ways = heading_all_along(side, end, other, nearer_m, radius_m);
+      out.instead.together_m = std::min(out.instead.together_m, ways.together_m);
+      out.instead.here_m = std::min(out.instead.here_m, ways.here_m);
+      out.instead.there_m = std::min(out.instead.there_m, ways.there_m);
     }
     out.back_m = std::max(out.back_m.value_or(0), side.back_m);
   }
@@ -108,6 +163,14 @@ LandSides::LandSides(const Plan& plan, double beyond_m)
       reach_m_ = std::max(reach_m_, std::abs(corner.x));
     }
   half_m_ = std::min(to_left_m, to_right_m);
+  front_m_ = rear_m_ = -reach_m_;
+  for (const Side& part : outline_at({{0, 0}, {1, 0}, {-behind_m, 0}, {1, 0}}, plan.machine)) {
+    const auto [rightmost, leftmost] = std::ranges::minmax(part, {}, &Point::y);
+    if (std::min(leftmost.y, -rightmost.y) < half_m_) continue;
+    const auto [rearmost, foremost] = std::ranges::minmax(part, {}, &Point::x);
+    front_m_ = std::max(front_m_, foremost.x);
+    rear_m_ = std::max(rear_m_, -rearmost.x);
+  }
   const Ring hull = corners_of_hull(plan.field.outer);
   band_m_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -165,7 +228,8 @@ WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sens
     return dot(ahead, from) > 0 ? std::abs(cross(ahead, from)) : 1;
   };
   double at_m = 0;
-  for (const Piece& piece : pieces_from(course, sense)) {
+  const std::vector<Piece> pieces = pieces_from(course, sense);
+  for (const Piece& piece : pieces) {
     // A position at a kink itself may be on either side of it; headings turn by nothing within so little.
     constexpr double kJustInside_m = 1e-9;
     const double inside_m = std::min(kJustInside_m, 0.5 * piece.length_m);
@@ -178,6 +242,7 @@ WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sens
     out.turns = std::max(out.turns, turned(last, heading));
     before = last;
     at_m += piece.length_m;
+    out.to_far_end = &piece == &pieces.back();
   }
   out.follows_m = at_m;
   const Pose lifted = moved_on(out.at, -sense * straight_on_m);
@@ -223,34 +288,86 @@ LandSides::InBand LandSides::in_band(const WayEnd& from, const WayEnd& to) const
   return (begins > 0) == (ends > 0) ? InBand::kOnward : InBand::kNever;
 }
 
+/// What room is left to a machine that moves on from `at` towards the side, backwards if it `works` away from
+/// it (+1), forwards if towards it (-1). It has turned to an angle φ only when it is r cos φ − r cos φ₀
+/// nearer, and a corner of the outline, half of it aside, has to be on the land then.
+LandSides::MovesOn LandSides::moves_on(const HullSide& side, const Pose& at, double works) const {
+  const MovesOn anyhow{0, std::numeric_limits<double>::infinity()};
+  const double sine = works * dot(at.heading.unit(), side.inwards);
+  if (sine <= kSideways) return anyhow;
+  const double corner_m = works > 0 ? rear_m_ : front_m_, begins = std::asin(std::min(1.0, sine));
+  const double room_m = dot(at.at - side.on, side.inwards) + kRoomFoundTo_m;
+  const auto corner_nearer_m = [&](double angle) {
+    return half_m_ * std::cos(angle) + corner_m * std::sin(angle);
+  };
+  const auto left_m = [&](double angle) {
+    return room_m - costs_.radius_m * (std::cos(angle) - std::cos(begins)) - corner_nearer_m(angle);
+  };
+  // Least room is left where corner and turn together come nearest.
+  double flatter = std::clamp(std::atan2(corner_m, costs_.radius_m + half_m_), 0.0, begins), steeper = begins;
+  if (left_m(flatter) >= 0) return anyhow;
+  if (left_m(steeper) >= 0)
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (flatter + steeper);
+      (left_m(middle) >= 0 ? steeper : flatter) = middle;
+    }
+  const double nearer_m = room_m - std::min(corner_nearer_m(steeper), corner_m);
+  return {steeper, std::max(0.0, nearer_m) * std::cos(steeper) / std::sin(steeper)};
+}
+
+/// All along a line and on, one stop, and to the other end of the way; or the other way round.
+bool LandSides::reached_by_one_stop(const WayEnd& all_along, const WayEnd& other) const {
+  if (!all_along.to_far_end) return true;
+  const Pose far_end = all_along.backed(all_along.follows_m);
+  const double works = all_along.sense < 0 ? 1 : -1;
+  return std::ranges::all_of(sides_, [&](const HullSide& side) {
+    const MovesOn moves = moves_on(side, far_end, works);
+    if (moves.flattest == 0) return true;
+    const Point along{-side.inwards.y, side.inwards.x};
+    const double apart_m = std::abs(dot(other.at.at - far_end.at, along));
+    if (apart_m > moves.sideways_m + moves_on(side, other.at, works).sideways_m) return false;
+    return std::ranges::none_of(other.sides, [&](const SideAhead& ahead) {
+      // Heading away from the one side at least so steeply it heads for the other.
+      return dot(ahead.inwards, side.inwards) < -std::cos(moves.flattest);
+    });
+  });
+}
+
 /// Ways that back farther than a line is followed: from there any way, with any changes of gear.
 double LandSides::farther_s(const WayEnd& from, const WayEnd& to) const {
   const double fastest_mps = std::max(costs_.turning.turning_speed_mps, costs_.turning.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
-    return end.follows_m / costs_.turning.reverse_speed_mps +
+    return (reached_by_one_stop(end, other) ? 1 : 2) * costs_.stop_s +
+           end.follows_m / costs_.turning.reverse_speed_mps +
            least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps;
   };
-  return costs_.stop_s + std::min(beyond_s(from, to), beyond_s(to, from));
+  return std::min(beyond_s(from, to), beyond_s(to, from));
 }
 
 double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const {
   const InBand band = in_band(from, to);
   if (band == InBand::kNever) return kNever_s;
-  const Asked of_from = asked(from, to), of_to = asked(to, from);
+  const Asked of_from = asked(from, to, costs_.radius_m), of_to = asked(to, from, costs_.radius_m);
   double back_m = 0;
   if (band == InBand::kOnward) {
     const double sense = dot(from.off, band_) > 0 ? 1 : -1;
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
   std::vector<BackedAsAsked> ways{{of_from.back_m, of_to.back_m, back_m}};
-  const double instead_m = std::min(of_from.instead_m, of_to.instead_m);
-  if (instead_m < kNever_s) ways.push_back({{}, {}, std::max(back_m, instead_m)});
+  const Instead &one = of_from.instead, &other = of_to.instead;
+  const double together_m = std::min(one.together_m, other.together_m);
+  if (together_m < kNever_s)
+    ways.push_back({{},
+                    {},
+                    std::max(back_m, together_m),
+                    std::min(one.here_m, other.there_m),
+                    std::min(one.there_m, other.here_m)});
   return least_backed_s(costs_, from, to, ways, known_s);
 }
 
 double LandSides::way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {
-  const bool bounded = in_band(from, to) != InBand::kFree || asked(from, to).back_m ||
-                       asked(to, from).back_m || !turned_round(from, to).empty();
+  const bool bounded = in_band(from, to) != InBand::kFree || asked(from, to, costs_.radius_m).back_m ||
+                       asked(to, from, costs_.radius_m).back_m || !turned_round(from, to).empty();
   if (!bounded) return known_s;
   const double beyond_s = farther_s(from, to);
   if (beyond_s <= known_s) return known_s;

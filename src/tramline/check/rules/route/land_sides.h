@@ -17,7 +17,11 @@ namespace tramline::check {
 /// least until it is parallel to it, and has half its outline between it and the side there; parallel the
 /// other way, r (1 + cos φ). On land in a band narrower than 2 (r + half the outline) it cannot turn round,
 /// because half a turn takes 2 r across; nor does it come back to where it was along the band, since that
-/// takes half a turn and another back. Each stop to back counts besides its time as the plan says.
+/// takes half a turn and another back. Having backed all along a line, and on, it may be unable to come
+/// parallel to the side behind it. Then it goes forward to the beginning of another line only where that lies
+/// no farther along the side than it gets aslant to it, backing and going forward, and not where it would
+/// have to turn away from a side too near to that beginning; else it stops once more. Each stop to back
+/// counts besides its time as the plan says.
 class LandSides {
  public:
   /// nullopt: where land beyond the boundary has no limits, where a machine reverses in turns or tows, and
@@ -47,6 +51,12 @@ class LandSides {
   double missing_m(const HullSide& side, const Pose& at, Point off, Comes comes) const;
   double far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const;
   InBand in_band(const WayEnd& from, const WayEnd& to) const;
+  struct MovesOn {
+    double flattest = 0;    ///< rad to the side; 0 if it may come parallel to it
+    double sideways_m = 0;  ///< along it, at most
+  };
+  MovesOn moves_on(const HullSide& side, const Pose& at, double works) const;
+  bool reached_by_one_stop(const WayEnd& all_along, const WayEnd& other) const;
   double farther_s(const WayEnd& from, const WayEnd& to) const;
   double along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const;
   double way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const;
@@ -54,6 +64,8 @@ class LandSides {
   WayCosts costs_;
   double half_m_;       ///< of the outline, to the side where it is narrower
   double reach_m_ = 0;  ///< of the outline ahead or behind
+  double front_m_ = 0;  ///< the corners of its widest part, from the axle
+  double rear_m_ = 0;   ///< those behind the axle
   std::vector<HullSide> sides_;
   Point band_;         ///< along the narrowest band
   double band_m_ = 0;  ///< how wide that is

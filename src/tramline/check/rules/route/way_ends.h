@@ -38,7 +38,8 @@ struct WayEnd {
   double from_m = 0;  ///< the position of `at` along the course
   double sense = 0;   ///< of backing along it: -1 or +1
   double follows_m = 0;
-  double turns = 0;  ///< the greatest sine of the angle between the line and `off`
+  bool to_far_end = false;  ///< it follows all of the line
+  double turns = 0;         ///< the greatest sine of the angle between the line and `off`
   std::vector<SideAhead> sides{};
   std::vector<SideBeside> beside{};  ///< of a straight line
 
