@@ -42,7 +42,8 @@ using RoomForTurns = std::function<Plan(LayoutBy)>;
 /// tracks that by usual prices; if it hardly works the field with next to no tracks that without headlands.
 /// Tracks are left out where the ways to them cost more than their land is worth. The first among equals is
 /// taken. Deterministic for any number of threads. `layouts`: subfields and pieces, without the headlands
-/// that follow from turns; the first one, which is straight, says how many passes obstacles need. Not empty.
+/// that follow from turns; the first one, which is straight, says how many passes obstacles need; one without
+/// subfields where no track fits. Not empty.
 /// Throws kBadInput where no plan has a track. Precondition: compares_routes().
 ComparedRoutes cheapest_route(const PlanningProblem& problem, const std::vector<Plan>& layouts,
                               const RoomForTurns& room_for_turns, Compare compare,
