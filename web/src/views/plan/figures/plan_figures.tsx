@@ -57,7 +57,7 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
     { label: t`Overlap`, of: (x) => x.overlap_m2, write: squareMetres, tone: 'overlap', note: s.outside_m2 >= 0.5 ? t`${squareMetres(s.outside_m2)} outside` : undefined },
     { label: t`Uncovered`, of: (x) => x.uncovered_m2, write: squareMetres, tone: 'uncovered' },
     { label: t`Turns`, of: (x) => x.turns, write: count },
-    { label: t`Stops`, of: (x) => x.stops, write: count },
+    { label: t`Stops`, of: (x) => x.route?.back_outs ?? x.stops, write: count },
   ];
   const directions = [...new Set(s.direction_deg.map(degrees))];
   const alike = (row: Row, summary: PlanSummary | null) => (summary && (row.money === false ? bothWhole(summary, s) : sameMoney(summary, s)) ? summary : null);
