@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <numbers>
 #include <optional>
 
 #include "properties/draws.h"
@@ -33,17 +34,22 @@ Field small_field(std::mt19937_64& random) {
   return out;
 }
 
-/// By default, or with so many passes round the field; nullopt where there is no room for any plan.
+/// By default, or with so many passes round the field.
+PlanSettings planned_whole(std::optional<int> passes) {
+  PlanSettings out;
+  out.boundary = EdgeKind::kHard;
+  out.turns = TurnPlanning::kRoute;
+  out.aim = Aim::kWholeCost;
+  out.shape = TrackShape::kAuto;
+  out.headland_rule = passes ? HeadlandRule::kPasses : HeadlandRule::kTurns;
+  out.headlands = passes.value_or(0);
+  return out;
+}
+
+/// nullopt where there is no room for any plan.
 std::optional<double> euros_of(const Field& field, std::optional<int> passes) {
-  PlanSettings settings;
-  settings.boundary = EdgeKind::kHard;
-  settings.turns = TurnPlanning::kRoute;
-  settings.aim = Aim::kWholeCost;
-  settings.shape = TrackShape::kAuto;
-  settings.headland_rule = passes ? HeadlandRule::kPasses : HeadlandRule::kTurns;
-  settings.headlands = passes.value_or(0);
   try {
-    return whole_cost(plan_field(field, wide_machine(), Objective{}, settings)).euros();
+    return whole_cost(plan_field(field, wide_machine(), Objective{}, planned_whole(passes))).euros();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
     return std::nullopt;
@@ -68,6 +74,32 @@ TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
   if (testing::case_count(25) >= 25) {
     EXPECT_GT(dearer, 0);
   }
+}
+
+/// With twelve equal sides, so far from its middle.
+Field dodecagon(double apothem_m) {
+  Field out;
+  out.id = "dodecagon";
+  for (int i = 0; i < 12; ++i) {
+    const double angle = (i + 0.5) * std::numbers::pi / 6;
+    const double corner_m = apothem_m / std::cos(std::numbers::pi / 12);
+    out.outer.push_back({corner_m * std::cos(angle), corner_m * std::sin(angle)});
+  }
+  return out;
+}
+
+// A track of 24 m that is twice as long as wide needs a circle of √(12² + 24²) = 26.8 m. A pass round a
+// dodecagon of 25 m has room, 12 m inside, by arcs of half a width at its corners.
+TEST(SmallFields, AreWorkedByPassesWhereNoTrackFits) {
+  const Plan plan = plan_field(dodecagon(25), wide_machine(), Objective{}, planned_whole(std::nullopt));
+  EXPECT_TRUE(plan.pieces.empty());
+  ASSERT_EQ(plan.headland.passes.size(), 1U);
+  const double half_side_m = 13 * std::tan(std::numbers::pi / 12);
+  const double cut_m = 12 * std::tan(std::numbers::pi / 12) - std::numbers::pi;
+  EXPECT_NEAR(length(plan.headland.passes.front().path), 24 * (half_side_m - cut_m), 0.01);
+  EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
+  EXPECT_EQ(euros_of(dodecagon(20), std::nullopt), std::nullopt)
+      << "nor a pass: it would be 8 m from the middle";
 }
 
 }  // namespace
