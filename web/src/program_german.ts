@@ -31,8 +31,11 @@ export const PROGRAM: Readonly<Record<string, string>> = {
 
   // What cannot be planned
   "no swath {0} m wide fits into the field '{1}' of {2} m²: use a narrower machine": 'in das Feld „{1}“ von {2} m² passt keine Bahn von {0} m Breite: Nehmen Sie eine schmalere Maschine',
-  "no track fits into field '{0}' of {1} m² with a working width of {2} m{3} and pieces of at least {4} m: use a narrower machine, shorter pieces{5} or another end rule":
-    'in das Feld „{0}“ von {1} m² passt keine Spur mit einer Arbeitsbreite von {2} m{3} und Stücken von mindestens {4} m: Nehmen Sie eine schmalere Maschine, kürzere Stücke{5} oder eine andere Regel für die Enden der Bahnen',
+  "no track fits into field '{0}' of {1} m² with a working width of {2} m{3} and pieces of at least {4} m: use a narrower machine, shorter pieces{5} or {6}":
+    'in das Feld „{0}“ von {1} m² passt keine Spur mit einer Arbeitsbreite von {2} m{3} und Stücken von mindestens {4} m: Nehmen Sie eine schmalere Maschine, kürzere Stücke{5} oder {6}',
+  'another end rule': 'eine andere Regel für die Enden der Bahnen',
+  'fewer headland passes': 'weniger Vorgewendefahrten',
+  'a field that the machine can leave': 'ein Feld, das die Maschine verlassen kann',
   ', a clearance of {0} m from obstacles': ', einem Abstand von {0} m zu Hindernissen',
   ', a smaller clearance': ', einen kleineren Abstand',
   "the field '{0}' is worked by its headland passes alone, so there are no plans to compare": 'das Feld „{0}“ wird allein von seinen Vorgewenderunden bearbeitet, es gibt also keine Pläne zu vergleichen',

@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 68> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 70> kWords = {{
     {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -35,6 +35,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 68> kWords =
     {"--boundary hard keeps them inside",
      "say that the machine cannot leave the field to turn, and they stay inside"},
     {"a smaller --min-length", "shorter pieces"},
+    {"fewer --headlands", "fewer headland passes"},
+    {"--boundary soft, by which swaths may run past the edge", "a field that the machine can leave"},
     {"nothing is worked there without --width", "nothing is worked there unless you give the working width"},
     {"give --headings from-track", "take the headings from the track"},
     {"give --headings math", "read the headings as mathematical angles"},

@@ -15,6 +15,8 @@ TEST(PageWords, OptionsBecomeWords) {
   EXPECT_EQ(in_page_words(
                 "a narrower machine, a smaller --min-length, a smaller --clearance or another --end-rule"),
             "a narrower machine, shorter pieces, a smaller clearance or another end rule");
+  EXPECT_EQ(in_page_words("a smaller --min-length or --boundary soft, by which swaths may run past the edge"),
+            "shorter pieces or a field that the machine can leave");
   EXPECT_EQ(in_page_words("none; give --obstacle-headlands"),
             "none; give the number of passes round obstacles");
   EXPECT_EQ(in_page_words("it names --obstacle-headlands"), "it names the number of passes round obstacles");

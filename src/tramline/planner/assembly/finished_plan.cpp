@@ -61,6 +61,13 @@ int add_route(const AllowedLand& land, PlannedRoute route, Plan& plan) {
   return mark_stops(land, plan.machine, plan.pieces);
 }
 
+/// What leaves tracks more land, besides what always does.
+const char* more_land(const PlanSettings& settings) {
+  if (settings.headlands > 0) return "fewer --headlands";
+  return settings.boundary == EdgeKind::kHard ? "--boundary soft, by which swaths may run past the edge"
+                                              : "another end rule";
+}
+
 Error no_tracks(const SearchTask& task) {
   const double clearance_m = task.settings.clearance_m;
   if (task.clearance_takes_all)
@@ -71,10 +78,10 @@ Error no_tracks(const SearchTask& task) {
   const bool kept_clear = clearance_m > 0 && !obstacle_shapes(task.field, ObstacleKind::kObstacle).empty();
   return bad_input(fmt::format(
       "no track fits into field '{}' of {:.0f} m² with a working width of {} m{} and pieces of at least {} "
-      "m: use a narrower machine, a smaller --min-length{} or another end rule",
+      "m: use a narrower machine, a smaller --min-length{} or {}",
       task.field.id, area_m2(task.field), task.machine.width_m,
       kept_clear ? fmt::format(", a clearance of {} m from obstacles", clearance_m) : "",
-      min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
+      min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : "", more_land(task.settings)));
 }
 
 /// Everything that the task determines: no tracks.
