@@ -65,7 +65,7 @@ class Comparison {
     }
     if (!best_ || goes_on()) vary_depth();
     if (goes_on()) vary_directions();
-    if (goes_on()) vary_prices(PassesByBoundary(best().passes));
+    if (goes_on()) vary_prices(PassesByBoundary(best().passes));  // a copy: plans are added
     context_.reach(kDepthFound);
     if (goes_on()) vary_obstacles();
     if (goes_on()) vary_grids();

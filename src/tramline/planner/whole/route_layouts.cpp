@@ -156,9 +156,8 @@ std::optional<LaidOut> RouteLayouts::where_it_ends(Alternative kind, const Plan&
   bare.settings.headland_rule = bare.settings.obstacle_headland_rule = HeadlandRule::kPasses;
   bare.settings.headlands = bare.settings.obstacle_headlands = 0;
   PreparedField prepared = field_without_headlands(bare);
-  const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
-                              std::vector<int>(problem_.field.obstacles.size(), 0)};
-  const auto laid = headland_trial_on(bare, std::move(prepared), layout, none, Offset::kBest, context_);
+  const auto laid =
+      headland_trial_on(bare, std::move(prepared), layout, no_passes(), Offset::kBest, context_);
   if (!laid) return std::nullopt;
   const Plan& with_pieces = laid->draft.plan;
   return laid_out_on(prepared_behind(where_tracks_end(with_pieces)), kind, with_pieces);
@@ -166,6 +165,11 @@ std::optional<LaidOut> RouteLayouts::where_it_ends(Alternative kind, const Plan&
 
 PassesByBoundary RouteLayouts::all_round(int passes, const std::vector<int>& obstacles) const {
   return as_set(problem_, {std::vector<int>(problem_.field.outer.size(), passes), obstacles});
+}
+
+PassesByBoundary RouteLayouts::no_passes() const {
+  return {std::vector<int>(problem_.field.outer.size(), 0),
+          std::vector<int>(problem_.field.obstacles.size(), 0)};
 }
 
 RouteLayouts::Behind RouteLayouts::prepared_behind(const PassesByBoundary& passes) const {
@@ -357,9 +361,7 @@ std::vector<LaidOut> RouteLayouts::behind_open_passes() {
     if (!known && !layout.subfields.empty()) open.emplace_back(Alternative::kSearched, &layout);
   };
   for (const Plan& layout : layouts_) add(layout);
-  const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
-                              std::vector<int>(problem_.field.obstacles.size(), 0)};
-  const std::optional<Plan> usual = best_by_usual_prices(none);
+  const std::optional<Plan> usual = best_by_usual_prices(no_passes());
   if (usual) add(*usual);
   std::vector<std::optional<LaidOut>> laid(open.size());
   for_each_index(laid.size(), context_,

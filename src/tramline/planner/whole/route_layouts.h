@@ -96,6 +96,7 @@ class RouteLayouts {
     PassesByBoundary passes{};
   };
 
+  PassesByBoundary no_passes() const;
   /// `problem_` with these passes, and the land behind them.
   Behind prepared_behind(const PassesByBoundary& passes) const;
   const Behind& behind(const PassesByBoundary& passes);
