@@ -1,6 +1,6 @@
 // How far machines have to back, against ways tried at random.
 
-#include "tramline/route/build/least_backing.h"
+#include "tramline/route/backing/least_backing.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/route/build/least_backing.h"
+#include "tramline/route/backing/least_backing.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"
 #include "tramline/route/certificate/connection_bounds.h"

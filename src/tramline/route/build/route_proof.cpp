@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "tramline/route/axle/axle_path.h"
-#include "tramline/route/build/least_backing.h"
+#include "tramline/route/backing/least_backing.h"
 #include "tramline/route/build/least_connections.h"
 #include "tramline/route/build/ring_places.h"
 #include "tramline/route/build/route_lines.h"

@@ -1,4 +1,4 @@
-#include "tramline/route/build/backed_ways.h"
+#include "tramline/route/backing/backed_ways.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/model/machine.h"
-#include "tramline/route/build/line_exits.h"
+#include "tramline/route/backing/line_exits.h"
 
 namespace tramline {
 

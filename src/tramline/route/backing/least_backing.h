@@ -6,8 +6,8 @@
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/machine.h"
-#include "tramline/route/build/backed_ways.h"
-#include "tramline/route/build/line_exits.h"
+#include "tramline/route/backing/backed_ways.h"
+#include "tramline/route/backing/line_exits.h"
 
 namespace tramline {
 

@@ -1,4 +1,4 @@
-#include "tramline/route/build/least_backing.h"
+#include "tramline/route/backing/least_backing.h"
 
 #include <algorithm>
 #include <cassert>
