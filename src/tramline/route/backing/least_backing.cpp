@@ -109,7 +109,8 @@ Needed needed_of(const LineExit& exit, const LineExit& other, double radius_m) {
 
 }  // namespace
 
-LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& machine, double stop_s)
+LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& machine, double stop_s,
+                           Places places)
     : terms_{machine.turning, 2 * machine.turning.gear_change_s + stop_s,
              std::max(machine.radius_m, kLeastRadius_m)} {
   const Outline outline = outline_of(machine);
@@ -139,6 +140,13 @@ LeastBacking::LeastBacking(const Ring& outer, double beyond_m, const Machine& ma
     for (const Point p : hull) width_m = std::max(width_m, dot(p - hull[i], inwards));
     if (width_m + 2 * beyond_m < strip_.width_m) strip_ = {along, width_m + 2 * beyond_m};
   }
+  if (places == Places::kNotFollowed) return;
+  std::vector<Point> corners;
+  for (const Box& box : outline.on_machine) {
+    const auto of_box = corners_of(box);
+    corners.insert(corners.end(), of_box.begin(), of_box.end());
+  }
+  reach_.emplace(sides_, corners, terms_.radius_m);
 }
 
 double LeastBacking::lacks_m(const Side& side, const Pose& pose, double backing, Turned turned) const {
@@ -204,6 +212,17 @@ LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double s
   return out;
 }
 
+/// What is reached off the end of a line is what leads to it on the way to its beginning, all along it.
+std::shared_ptr<const PlacesByHeading> LeastBacking::places_from(const Pose& pose, double sense) const {
+  constexpr double kSame = 1e-9;
+  for (const Followed& known : followed_)
+    if (known.sense == sense && distance(known.from.at, pose.at) < kSame &&
+        distance(known.from.heading.unit(), pose.heading.unit()) < kSame)
+      return known.places;
+  followed_.push_back({pose, sense, std::make_shared<const PlacesByHeading>(reach_->from(pose, sense))});
+  return followed_.back().places;
+}
+
 LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double straight_on_m) const {
   LineExits out{exit_of(line, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
@@ -211,6 +230,9 @@ LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double
     out.straight = exit_of(SteeredPath(line.begin(), bend), backing, straight_on_m);
     out.straight->whole = false;
   }
+  if (reach_)
+    out.reached = {places_from(line.front().start, -backing), places_from(end_of(line.back()), backing),
+                   line};
   return out;
 }
 
@@ -245,20 +267,30 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
   return std::max(0.0, dot(left.pose.at - entered.pose.at, along ? strip_.along : -1 * strip_.along));
 }
 
-/// Ways that back no farther than the lines are followed.
+/// A way without a stop is one that backs along either line by nothing.
+LeastBacking::OneStop LeastBacking::one_stop(const LineExits& left, const LineExits& entered) {
+  if (!left.reached || !entered.reached) return {};
+  const ExitReach &from = *left.reached, &to = *entered.reached;
+  return {may_meet(*to.off, from.line), may_meet(*from.off, to.line), may_meet(*from.beyond, *to.off),
+          may_meet(*from.off, *to.beyond)};
+}
+
+/// Ways that back no farther than the lines are followed. Where no stop at one end alone does, they back at
+/// the other.
 double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
-                                 Along along) const {
+                                 Along along, const OneStop& may) const {
   if (along == Along::kOppositeWays) return kNever_s;
   const Needed at_left = needed_of(left, entered, terms_.radius_m),
                at_entered = needed_of(entered, left, terms_.radius_m);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
-  const double turning_s = ways.least_s({at_left.back_m, at_entered.back_m, in_all_m}, kNever_s);
+  const std::optional<double> out_anyhow = may.in ? std::nullopt : std::optional(0.0),
+                              in_anyhow = may.out ? std::nullopt : std::optional(0.0);
+  const double turning_s = ways.least_s(
+      {std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m}, kNever_s);
   const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
   const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
   if (or_in_all_m == kNowhere_m) return turning_s;
-  return ways.least_s({{},
-                       {},
-                       std::max(in_all_m, or_in_all_m),
+  return ways.least_s({out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
                        std::min(of_left.here_only_m, of_entered.there_only_m),
                        std::min(of_left.there_only_m, of_entered.here_only_m)},
                       turning_s);
@@ -306,32 +338,44 @@ bool LeastBacking::one_stop_may_do(const LineExit& exit, const LineExit& other) 
 }
 
 /// Ways that back farther along one of them, by whatever way from there.
-double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered) const {
+double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered, const OneStop& may) const {
   const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
-  const auto seconds = [&](const LineExit& exit, const LineExit& other, const Pose& from, const Pose& to) {
-    const int stops = exit.whole && !one_stop_may_do(exit, other) ? 2 : 1;
+  const auto seconds = [&](const LineExit& exit, const LineExit& other, const Pose& from, const Pose& to,
+                           bool may_along, bool may_on) {
+    const bool one_may_do = may_on ? !exit.whole || one_stop_may_do(exit, other) : !exit.whole && may_along;
+    const int stops = one_may_do ? 1 : 2;
     return stops * terms_.stop_s + exit.length_m / terms_.turning.reverse_speed_mps +
            reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps;
   };
-  return std::min(seconds(left, entered, backed(left, left.length_m), entered.pose),
-                  seconds(entered, left, left.pose, backed(entered, entered.length_m)));
+  return std::min(
+      seconds(left, entered, backed(left, left.length_m), entered.pose, may.out, may.out_and_on),
+      seconds(entered, left, left.pose, backed(entered, entered.length_m), may.in, may.in_and_on));
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
-  const double least_s = least_between(left.whole, entered.whole, known_s);
-  if (!left.straight && !entered.straight) return least_s;
-  return least_between(left.straight.value_or(left.whole), entered.straight.value_or(entered.whole), least_s);
+  const double anyhow_s = least_of_lines(left, entered, {}, known_s);
+  const OneStop may = one_stop(left, entered);
+  return may.all() ? anyhow_s : least_of_lines(left, entered, may, anyhow_s);
 }
 
-double LeastBacking::least_between(const LineExit& left, const LineExit& entered, double known_s) const {
+double LeastBacking::least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
+                                    double known_s) const {
+  const double least_s = least_between(left.whole, entered.whole, may, known_s);
+  if (!left.straight && !entered.straight) return least_s;
+  return least_between(left.straight.value_or(left.whole), entered.straight.value_or(entered.whole), may,
+                       least_s);
+}
+
+double LeastBacking::least_between(const LineExit& left, const LineExit& entered, const OneStop& may,
+                                   double known_s) const {
   const Along along = on_strip(left, entered);
   const BackedWays ways(terms_, left, entered);
-  if (along == Along::kFree && !ways.loop() && !needed_of(left, entered, terms_.radius_m).back_m &&
-      !needed_of(entered, left, terms_.radius_m).back_m)
+  if (may.all() && along == Along::kFree && !ways.loop() &&
+      !needed_of(left, entered, terms_.radius_m).back_m && !needed_of(entered, left, terms_.radius_m).back_m)
     return known_s;
-  const double beyond_s = least_beyond(left, entered);
+  const double beyond_s = least_beyond(left, entered, may);
   if (beyond_s <= known_s) return known_s;
-  return std::max(known_s, std::min(beyond_s, least_along(ways, left, entered, along)) - kDivided_s);
+  return std::max(known_s, std::min(beyond_s, least_along(ways, left, entered, along, may)) - kDivided_s);
 }
 
 }  // namespace tramline

@@ -1,12 +1,15 @@
 #pragma once
 // How far a machine has to back where the sides of the field leave it no way forward.
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/machine.h"
 #include "tramline/route/backing/backed_ways.h"
+#include "tramline/route/backing/heading_reach.h"
 #include "tramline/route/backing/line_exits.h"
 
 namespace tramline {
@@ -24,12 +27,18 @@ namespace tramline {
 /// Where it has backed all along a line and on, it is aslant to the side behind it as long as that leaves it
 /// no room to come parallel: so it does not get far along that side before it stops, nor forward to where
 /// another line begins too near to a side that it heads for. Then it has to stop to back once more.
-/// Each stop to back counts `stop_s` besides its time.
+/// Of few lines it is followed to all places and headings that it gets to without a stop (HeadingReach),
+/// which tells at which of the two lines a way has to back. Each stop to back counts `stop_s` besides its
+/// time. Not for several threads.
 class LeastBacking {
  public:
+  /// Whether the places that the machine gets to are followed: milliseconds for each end of a line.
+  enum class Places { kNotFollowed, kFollowed };
+
   /// `beyond_m`: how far beyond the field is land. Preconditions: nothing is towed on a drawbar, the machine
   /// does not turn in reverse, the ring has an area.
-  LeastBacking(const Ring& outer, double beyond_m, const Machine& machine, double stop_s = 0);
+  LeastBacking(const Ring& outer, double beyond_m, const Machine& machine, double stop_s = 0,
+               Places places = Places::kNotFollowed);
 
   /// For the axle's way over a work. O(sides). Precondition: it has a stretch.
   LineExits left(const SteeredPath& work) const;
@@ -40,10 +49,7 @@ class LeastBacking {
   double between(const LineExits& left, const LineExits& entered, double known_s) const;
 
  private:
-  struct Side {
-    Point at;
-    Point inwards;
-  };
+  using Side = HeadingReach::Side;
   /// The narrowest band that the land lies in.
   struct Strip {
     Point along;
@@ -51,6 +57,7 @@ class LeastBacking {
   };
   enum class Along { kFree, kSameWay, kOppositeWays };
   Along on_strip(const LineExit& left, const LineExit& entered) const;
+  std::shared_ptr<const PlacesByHeading> places_from(const Pose& pose, double sense) const;
   LineExits exits_of(const SteeredPath& line, double backing, double straight_on_m) const;
   LineExit exit_of(const SteeredPath& line, double backing, double straight_on_m) const;
   enum class Turned { kLeast, kOtherWay };
@@ -64,10 +71,21 @@ class LeastBacking {
   };
   Aslant aslant(const Side& side, const Pose& pose, double sense) const;
   bool one_stop_may_do(const LineExit& exit, const LineExit& other) const;
-  double least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
-                     Along along) const;
-  double least_beyond(const LineExit& left, const LineExit& entered) const;
-  double least_between(const LineExit& left, const LineExit& entered, double known_s) const;
+  /// Whether a way may do with one stop at the most: to back along the line that it leaves or the one that it
+  /// enters, or all along that and on.
+  struct OneStop {
+    bool out = true, in = true;
+    bool out_and_on = true, in_and_on = true;
+    bool all() const { return out && in && out_and_on && in_and_on; }
+  };
+  static OneStop one_stop(const LineExits& left, const LineExits& entered);
+  double least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered, Along along,
+                     const OneStop& may) const;
+  double least_beyond(const LineExit& left, const LineExit& entered, const OneStop& may) const;
+  double least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
+                        double known_s) const;
+  double least_between(const LineExit& left, const LineExit& entered, const OneStop& may,
+                       double known_s) const;
 
   BackingTerms terms_;
   double aside_m_;   ///< the outline reaches at least as far to either side
@@ -76,6 +94,13 @@ class LeastBacking {
   double reach_m_;   ///< and no farther ahead or behind
   std::vector<Side> sides_;
   Strip strip_;
+  std::optional<HeadingReach> reach_{};  ///< where places are followed
+  struct Followed {
+    Pose from;
+    double sense;
+    std::shared_ptr<const PlacesByHeading> places;
+  };
+  mutable std::vector<Followed> followed_{};
 };
 
 }  // namespace tramline

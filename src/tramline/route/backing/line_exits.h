@@ -1,10 +1,12 @@
 #pragma once
 // Ends of lines, with what the sides of the land near to them ask of ways.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
+#include "tramline/route/backing/heading_reach.h"
 
 namespace tramline {
 
@@ -36,11 +38,19 @@ struct LineExit {
   std::vector<OneWaySide> one_way{};
 };
 
+/// Places that ways get to without a stop, which back along this line at the most.
+struct ExitReach {
+  std::shared_ptr<const PlacesByHeading> off;     ///< from the exit, off the line
+  std::shared_ptr<const PlacesByHeading> beyond;  ///< having backed all along the line, and on
+  SteeredPath line;                               ///< the axle's, all of it
+};
+
 /// The same followed as far as it goes, and only until it bends. A way is bounded by both: where bends are
 /// followed, less is known of the heading from which it goes on.
 struct LineExits {
   LineExit whole;
   std::optional<LineExit> straight{};  ///< of a line that begins straight and bends
+  std::optional<ExitReach> reached{};  ///< where it is followed
 };
 
 }  // namespace tramline

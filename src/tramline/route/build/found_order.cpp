@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kMostGiven = 2;
 /// A search that goes on from a good tour makes a share of the usual number of kicks.
 constexpr std::size_t kShareAgain = 12;
+/// A tour that is proven to be so near to the best, as a share of its cost, is not searched on from: what
+/// ways cost is only estimated.
+constexpr double kNearBound = 3e-3;
 
 /// The costs as bounds of themselves: their node prices say which lines are hard to reach.
 class AsBounds final : public ConnectionBounds {
@@ -28,11 +31,6 @@ class AsBounds final : public ConnectionBounds {
  private:
   const EndCosts& costs_;
 };
-
-Tour priced_greedy_tour(const EndCosts& costs, const Neighbours& neighbours, double known_s) {
-  const PricedBound priced = best_bound(AsBounds(costs), {known_s, 0});
-  return greedy_tour(costs, neighbours, priced.prices_s);
-}
 
 void keep_cheapest(std::vector<Tour>& tours, const EndCosts& costs) {
   std::vector<std::pair<double, std::size_t>> by_cost;
@@ -55,7 +53,12 @@ Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std:
   if (effort == Effort::kAgain && !tours.empty())
     return shortened(tours.front(), costs, neighbours, usual_kicks(costs.lines()) / kShareAgain);
   tours.push_back(greedy_tour(costs, neighbours));
-  tours.push_back(priced_greedy_tour(costs, neighbours, std::max(0.0, connection_s(tours.back(), costs))));
+  const double greedy_s = std::max(0.0, connection_s(tours.back(), costs));
+  const Tour improved = shortened(tours.back(), costs, neighbours, 0);
+  const double near_s = (1 - kNearBound) * connection_s(improved, costs);
+  const PricedBound priced = best_bound(AsBounds(costs), {greedy_s, 0, greedy_s - near_s});
+  if (priced.bound_s >= near_s) return improved;
+  tours.push_back(greedy_tour(costs, neighbours, priced.prices_s));
   return shortened_best(tours, costs, neighbours, usual_kicks(costs.lines()));
 }
 

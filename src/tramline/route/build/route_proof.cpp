@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/backing/least_backing.h"
@@ -15,6 +16,9 @@
 
 namespace tramline {
 namespace {
+
+/// The places that a machine gets to are followed on routes with stops and no more tracks and open passes.
+constexpr std::size_t kMostLinesFollowed = 12;
 
 /// The phases of tracks and of passes that a route works one after the other, by piece and by pass.
 struct Phases {
@@ -97,12 +101,15 @@ double fixed_seconds(const std::vector<RouteLeg>& legs, const std::vector<order:
 }
 
 /// Where all ways have room: a route that leaves the land is not bounded by its sides.
-std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& route, double stop_s) {
+std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& route, std::size_t lines,
+                                          double stop_s) {
   const std::optional<double> beyond_m = land_beyond_m(task.settings);
   if (!beyond_m || task.machine.turning.reverse || outline_of(task.machine).tows()) return std::nullopt;
   for (const RouteLeg& leg : route.legs)
     if (leg.missing_m > 0) return std::nullopt;
-  return LeastBacking(task.field.outer, *beyond_m, task.machine, stop_s);
+  const bool followed = lines <= kMostLinesFollowed && sums_of(route).back_outs > 0;
+  return LeastBacking(task.field.outer, *beyond_m, task.machine, stop_s,
+                      followed ? LeastBacking::Places::kFollowed : LeastBacking::Places::kNotFollowed);
 }
 
 }  // namespace
@@ -115,8 +122,10 @@ RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLin
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   const RouteSums sums = sums_of(route);
   const double whole_s = sums.time_s + out.stop_s * static_cast<double>(sums.back_outs);
-  const LeastConnections bounds(members_of_proof(task, lines, tour, route), task.machine.width_m, least,
-                                least_backing(task, route, out.stop_s));
+  RouteMembers members = members_of_proof(task, lines, tour, route);
+  const std::size_t count = members.lines.size();
+  const LeastConnections bounds(std::move(members), task.machine.width_m, least,
+                                least_backing(task, route, count, out.stop_s));
   if (bounds.lines() + bounds.rings() == 0) {
     out.bound_s = fixed_s;
     return out;

@@ -15,8 +15,9 @@ namespace {
 constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
 /// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
 constexpr double kFarMore = 1.3;
-/// What was foreseen of a tour is near enough, as a share of it.
-constexpr double kForeseen = 1e-3;
+/// What was foreseen of a tour is near enough, as a share of it; and tours that are foreseen to cost less by
+/// no larger a share are not looked at.
+constexpr double kForeseen = 2e-3;
 
 using order::Tour;
 
@@ -92,6 +93,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
   bool shallow = false;        // headlands, for many turns
   for (int round = 0, idle = 0; round < (lacking > 0 ? kMostForRoom : kMostRounds); ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
+    if (lacking == 0 && foreseen_s >= (1 - kForeseen) * least_s) break;
     const TrackTour found = in_order(tour, costs);
     settle_ends(tour, costs);
     settled.push_back(tour);

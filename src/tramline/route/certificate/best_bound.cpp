@@ -24,10 +24,11 @@ constexpr double kLeastStep = 1e-3;
 /// Prices that rise along the subgradient of the bound.
 class Ascent {
  public:
-  Ascent(NearJoins& near, const ConnectionBounds& bounds, double known_s)
+  Ascent(NearJoins& near, const ConnectionBounds& bounds, const AscentEffort& effort)
       : near_(near),
         bounds_(bounds),
-        known_s_(known_s),
+        known_s_(effort.known_s),
+        enough_s_(std::max(kSameTime_s, effort.enough_s)),
         prices_s_(bounds.nodes(), 0),
         way_(bounds.nodes(), 0) {}
 
@@ -53,8 +54,8 @@ class Ascent {
   }
 
  private:
-  /// One step. False where these prices are the best: every node is joined once, or the bound meets the known
-  /// route.
+  /// One step. False where these prices are the best, for every node is joined once, or the bound is near
+  /// enough to the known route.
   bool climb(const JoinTree& tree, double bound_s, double step) {
     std::vector<double> excess(prices_s_.size());  // joins of each node beyond those it should have
     for (std::size_t node = 0; node < excess.size(); ++node)
@@ -69,7 +70,7 @@ class Ascent {
       way_[node] = (1 - kKept) * excess[node] + kKept * way_[node];
       square += excess[node] * excess[node];
     }
-    if (square == 0 || known_s_ - bound_s <= kSameTime_s) return false;
+    if (square == 0 || known_s_ - bound_s <= enough_s_) return false;
     const double length = step * (known_s_ - bound_s) / square;
     for (std::size_t node = 0; node < excess.size(); ++node) prices_s_[node] += length * way_[node];
     return true;
@@ -78,6 +79,7 @@ class Ascent {
   NearJoins& near_;
   const ConnectionBounds& bounds_;
   double known_s_;
+  double enough_s_;
   std::vector<double> prices_s_;
   std::vector<double> way_;
 };
@@ -89,7 +91,7 @@ std::size_t usual_steps(std::size_t lines) { return 80 + 25000 / std::max<std::s
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
   assert(bounds.lines() + bounds.rings() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);
   NearJoins near(bounds);
-  Ascent ascent(near, bounds, effort.known_s);
+  Ascent ascent(near, bounds, effort);
   std::size_t steps = effort.steps > 0 ? effort.steps : usual_steps(bounds.lines());
   std::vector<double> prices_s(bounds.nodes(), 0);
   PricedBound best{prices_s, -std::numeric_limits<double>::max()};

@@ -18,6 +18,7 @@ struct AscentEffort {
   /// decides how large the steps are.
   double known_s = 0;
   std::size_t steps = 0;  ///< 0: usual_steps()
+  double enough_s = 0;    ///< it ends where the bound is no farther below the known route than this
 };
 
 /// How many steps best_bound() takes where none are asked for.

@@ -64,6 +64,21 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   return out;
 }
 
+/// The axle's line, away from one of its ends.
+std::vector<LineStep> steps_of(const WayEnd& end) {
+  constexpr double kStep = std::numbers::pi / 72;  // turned by no more
+  std::vector<LineStep> out;
+  double at_m = 0;
+  for (const Piece& piece : pieces_from(*end.course, end.sense)) {
+    const int parts = 1 + static_cast<int>(std::abs(piece.curvature) * piece.length_m / kStep);
+    for (int i = 0; i < parts; ++i)
+      out.push_back({end.backed(at_m + i * piece.length_m / parts),
+                     end.backed(at_m + (i + 1) * piece.length_m / parts)});
+    at_m += piece.length_m;
+  }
+  return out;
+}
+
 /// Distances backed at both ends together, at this end alone, or at the other alone, m.
 struct Instead {
   double together_m = kNever_s, here_m = kNever_s, there_m = kNever_s;
@@ -184,6 +199,15 @@ LandSides::LandSides(const Plan& plan, double beyond_m)
       band_ = along;
     }
   }
+  const bool stops =
+      std::ranges::any_of(plan.route.legs, [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
+  if (!stops) return;
+  std::vector<Point> corners;
+  for (const Side& part : outline_at({{0, 0}, {1, 0}, {-behind_m, 0}, {1, 0}}, plan.machine))
+    corners.insert(corners.end(), part.begin(), part.end());
+  std::vector<ConvexLand::Edge> edges;
+  for (const HullSide& side : sides_) edges.push_back({side.on, side.inwards});
+  land_.emplace(std::move(edges), std::move(corners), costs_.radius_m);
 }
 
 double LandSides::missing_m(const HullSide& side, const Pose& at, Point off, Comes comes) const {
@@ -266,6 +290,7 @@ LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double
   LineEnd out{way_end(course, from_m, sense, straight_on_m, Followed::kAll)};
   if (out.all.turns > kStraight)
     out.straight = way_end(course, from_m, sense, straight_on_m, Followed::kStraight);
+  if (land_) out.line = steps_of(out.all);
   return out;
 }
 
@@ -333,18 +358,40 @@ bool LandSides::reached_by_one_stop(const WayEnd& all_along, const WayEnd& other
   });
 }
 
+const DrivenPlaces& LandSides::places_from(const Pose& at, double sense) const {
+  constexpr double kSamePose = 1e-9;
+  const auto known = std::ranges::find_if(driven_, [&](const Driven& driven) {
+    return driven.sense == sense && distance(driven.from.at, at.at) < kSamePose &&
+           distance(driven.from.heading.unit(), at.heading.unit()) < kSamePose;
+  });
+  if (known != driven_.end()) return known->places;
+  driven_.push_back({at, sense, land_->driven_from(at, sense)});
+  return driven_.back().places;
+}
+
+/// The machine gets from the end of the one line to where it begins to back into the other, or from where it
+/// has backed to on the one to the beginning of the other; not to back at all is to back by nothing.
+LandSides::SingleStop LandSides::single_stop(const LineEnd& from, const LineEnd& to) const {
+  if (!land_ || from.line.empty() || to.line.empty()) return {};
+  const DrivenPlaces &leaves = places_from(from.all.at, 1), &enters = places_from(to.all.at, -1);
+  return {may_be_on(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
+          may_be_on(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
+}
+
 /// Ways that back farther than a line is followed: from there any way, with any changes of gear.
-double LandSides::farther_s(const WayEnd& from, const WayEnd& to) const {
+double LandSides::farther_s(const WayEnd& from, const WayEnd& to, const SingleStop& may) const {
   const double fastest_mps = std::max(costs_.turning.turning_speed_mps, costs_.turning.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
-    return (reached_by_one_stop(end, other) ? 1 : 2) * costs_.stop_s +
-           end.follows_m / costs_.turning.reverse_speed_mps +
+    const bool along = (&end == &from ? may.out : may.in) && !end.to_far_end;
+    const bool on = (&end == &from ? may.out_and_on : may.in_and_on) && reached_by_one_stop(end, other);
+    return (along || on ? 1 : 2) * costs_.stop_s + end.follows_m / costs_.turning.reverse_speed_mps +
            least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps;
   };
   return std::min(beyond_s(from, to), beyond_s(to, from));
 }
 
-double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const {
+double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, const SingleStop& may,
+                                double known_s) const {
   const InBand band = in_band(from, to);
   if (band == InBand::kNever) return kNever_s;
   const Asked of_from = asked(from, to, costs_.radius_m), of_to = asked(to, from, costs_.radius_m);
@@ -353,31 +400,41 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, double kno
     const double sense = dot(from.off, band_) > 0 ? 1 : -1;
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
-  std::vector<BackedAsAsked> ways{{of_from.back_m, of_to.back_m, back_m}};
+  // A way that cannot do with a stop at one line backs along the other.
+  const std::optional<double> out_m = may.in ? std::nullopt : std::optional(0.0),
+                              in_m = may.out ? std::nullopt : std::optional(0.0);
+  std::vector<BackedAsAsked> ways{{std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m}};
   const Instead &one = of_from.instead, &other = of_to.instead;
   const double together_m = std::min(one.together_m, other.together_m);
   if (together_m < kNever_s)
-    ways.push_back({{},
-                    {},
-                    std::max(back_m, together_m),
-                    std::min(one.here_m, other.there_m),
+    ways.push_back({out_m, in_m, std::max(back_m, together_m), std::min(one.here_m, other.there_m),
                     std::min(one.there_m, other.here_m)});
   return least_backed_s(costs_, from, to, ways, known_s);
 }
 
-double LandSides::way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const {
-  const bool bounded = in_band(from, to) != InBand::kFree || asked(from, to, costs_.radius_m).back_m ||
-                       asked(to, from, costs_.radius_m).back_m || !turned_round(from, to).empty();
+double LandSides::way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
+                        double enough_s) const {
+  const bool always = may.out && may.in && may.out_and_on && may.in_and_on;
+  const bool bounded = !always || in_band(from, to) != InBand::kFree ||
+                       asked(from, to, costs_.radius_m).back_m || asked(to, from, costs_.radius_m).back_m ||
+                       !turned_round(from, to).empty();
   if (!bounded) return known_s;
-  const double beyond_s = farther_s(from, to);
+  const double beyond_s = farther_s(from, to, may);
   if (beyond_s <= known_s) return known_s;
-  return std::max(known_s, std::min(beyond_s, along_lines_s(from, to, std::min(beyond_s, enough_s))));
+  return std::max(known_s, std::min(beyond_s, along_lines_s(from, to, may, std::min(beyond_s, enough_s))));
+}
+
+double LandSides::both_s(const LineEnd& from, const LineEnd& to, const SingleStop& may, double known_s,
+                         double enough_s) const {
+  const double all_s = way_s(from.all, to.all, may, known_s, enough_s);
+  if (all_s >= enough_s || (!from.straight && !to.straight)) return all_s;
+  return way_s(from.straight.value_or(from.all), to.straight.value_or(to.all), may, all_s, enough_s);
 }
 
 double LandSides::least_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const {
-  const double all_s = way_s(from.all, to.all, known_s, enough_s);
-  if (all_s >= enough_s || (!from.straight && !to.straight)) return all_s;
-  return way_s(from.straight.value_or(from.all), to.straight.value_or(to.all), all_s, enough_s);
+  const double anyhow_s = both_s(from, to, {}, known_s, enough_s);
+  if (anyhow_s >= enough_s || !land_) return anyhow_s;
+  return both_s(from, to, single_stop(from, to), anyhow_s, enough_s);
 }
 
 }  // namespace tramline::check

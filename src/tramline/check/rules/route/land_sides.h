@@ -1,6 +1,7 @@
 #pragma once
 // What the sides of the land ask of ways between lines: facts of the rule about the bound of a route.
 
+#include <list>
 #include <optional>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace tramline::check {
 /// takes half a turn and another back. Having backed all along a line, and on, it may be unable to come
 /// parallel to the side behind it. Then it goes forward to the beginning of another line only where that lies
 /// no farther along the side than it gets aslant to it, backing and going forward, and not where it would
-/// have to turn away from a side too near to that beginning; else it stops once more. Each stop to back
-/// counts besides its time as the plan says.
+/// have to turn away from a side too near to that beginning; else it stops once more. Where that is not
+/// enough, the places are followed that it gets to without a stop from either line (ConvexLand): where they
+/// are not common, it stops once more, too. Each stop to back counts besides its time as the plan says.
 class LandSides {
  public:
   /// nullopt: where land beyond the boundary has no limits, where a machine reverses in turns or tows, and
@@ -57,9 +59,18 @@ class LandSides {
   };
   MovesOn moves_on(const HullSide& side, const Pose& at, double works) const;
   bool reached_by_one_stop(const WayEnd& all_along, const WayEnd& other) const;
-  double farther_s(const WayEnd& from, const WayEnd& to) const;
-  double along_lines_s(const WayEnd& from, const WayEnd& to, double known_s) const;
-  double way_s(const WayEnd& from, const WayEnd& to, double known_s, double enough_s) const;
+  /// What a single stop may do: to back out of the one line or into the other, or all along it and on.
+  struct SingleStop {
+    bool out = true, out_and_on = true, in = true, in_and_on = true;
+  };
+  const DrivenPlaces& places_from(const Pose& at, double sense) const;
+  SingleStop single_stop(const LineEnd& from, const LineEnd& to) const;
+  double farther_s(const WayEnd& from, const WayEnd& to, const SingleStop& may) const;
+  double along_lines_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s) const;
+  double way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
+               double enough_s) const;
+  double both_s(const LineEnd& from, const LineEnd& to, const SingleStop& may, double known_s,
+                double enough_s) const;
 
   WayCosts costs_;
   double half_m_;       ///< of the outline, to the side where it is narrower
@@ -67,8 +78,15 @@ class LandSides {
   double front_m_ = 0;  ///< the corners of its widest part, from the axle
   double rear_m_ = 0;   ///< those behind the axle
   std::vector<HullSide> sides_;
-  Point band_;         ///< along the narrowest band
-  double band_m_ = 0;  ///< how wide that is
+  Point band_;                        ///< along the narrowest band
+  double band_m_ = 0;                 ///< how wide that is
+  std::optional<ConvexLand> land_{};  ///< of a route with stops
+  struct Driven {
+    Pose from;
+    double sense = 0;
+    DrivenPlaces places;
+  };
+  mutable std::list<Driven> driven_{};  ///< so far
 };
 
 }  // namespace tramline::check

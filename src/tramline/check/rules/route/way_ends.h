@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tramline/check/rules/route/driven_places.h"
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/geometry/path/steered_path.h"
 
@@ -51,6 +52,7 @@ struct WayEnd {
 struct LineEnd {
   WayEnd all;
   std::optional<WayEnd> straight{};  ///< where the line bends
+  std::vector<LineStep> line{};      ///< all of it
 };
 
 }  // namespace tramline::check
