@@ -17,7 +17,7 @@ constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
 constexpr double kFarMore = 1.3;
 /// What was foreseen of a tour is near enough, as a share of it; and tours that are foreseen to cost less by
 /// no larger a share are not looked at.
-constexpr double kForeseen = 2e-3;
+constexpr double kForeseen = 1e-3;
 
 using order::Tour;
 
