@@ -17,11 +17,11 @@ double off_by(const LaidPiece& piece, const Interval& between) {
   return std::max({0.0, piece.from - between.to, between.from - piece.to});
 }
 
-using Track = std::pair<std::size_t, int>;  // by subfield and number in its family
+using NumberedTrack = std::pair<std::size_t, int>;  // by subfield and number in its family
 
 /// The driven pieces of each track, in driving order.
-std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
-  std::map<Track, std::vector<std::size_t>> out;
+std::map<NumberedTrack, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
+  std::map<NumberedTrack, std::vector<std::size_t>> out;
   for (std::size_t i = 0; i < driven.laid.size(); ++i) {
     const LaidIndex& laid = driven.laid[i];
     const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];

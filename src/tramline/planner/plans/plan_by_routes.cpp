@@ -1,0 +1,101 @@
+#include "tramline/planner/plans/plan_by_routes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plans/headlands_by_turns.h"
+#include "tramline/planner/whole/cheapest_route.h"
+
+namespace tramline {
+namespace {
+
+/// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do: of
+/// straight tracks, and with curves where these cost less.
+std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const SearchContext& context) {
+  PlanningProblem bare =
+      headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
+  bare.settings.turns = TurnPlanning::kNone;
+  const auto layout_of = [&](TrackShape shape) {
+    // Curves are looked for in the cells of the sweep as well.
+    const SearchContext searching = context.for_layout().without_bound();
+    const bool straight = shape == TrackShape::kStraight;
+    return searched_plan(with_shape(bare, shape), straight ? searching.without_sweep() : searching,
+                         Explain::kNo)
+        .plan;
+  };
+  // Behind headlands that follow from turns, curves are looked for on the land that these leave.
+  const bool by_turns = problem.settings.headland_rule == HeadlandRule::kTurns;
+  const bool later = by_turns && bare.settings.shape == TrackShape::kAuto;
+  std::vector<Plan> out{layout_of(later ? TrackShape::kStraight : bare.settings.shape)};
+  if (follow_curves(out.front().subfields)) out.insert(out.begin(), layout_of(TrackShape::kStraight));
+  return out;
+}
+
+/// Straight tracks by the usual prices of tracks, with the headlands that their turns need.
+Plan by_usual_prices(PlanningProblem problem, const SearchContext& context) {
+  const Objective prices = std::exchange(problem.objective, Objective{});
+  const TrackShape shape = problem.settings.shape;
+  Plan out = planned_with_headlands_for_turns(with_shape(std::move(problem), TrackShape::kStraight),
+                                              Decides::kCostOfTracks, context)
+                 .plan;
+  out.objective = prices;
+  out.cost = cost(prices, out.tally);
+  out.settings.shape = shape;
+  return out;
+}
+
+/// Without headlands round the field, and with no more land beyond its boundary than with them.
+PlanningProblem without_headlands_round(PlanningProblem problem) {
+  PlanSettings& settings = problem.settings;
+  if (settings.headland_rule != HeadlandRule::kTurns) return problem;
+  settings.headland_rule = HeadlandRule::kPasses;
+  settings.headlands = 0;
+  if (settings.boundary == EdgeKind::kSoft) settings.turn_room_m = std::max(0.0, settings.turn_room_m);
+  return problem;
+}
+
+/// Land on which no track fits; passes may work it all the same.
+Plan without_tracks(const PlanningProblem& problem) {
+  Plan out;
+  out.field = problem.field;
+  out.machine = problem.machine;
+  return out;
+}
+
+}  // namespace
+
+ExplainedPlan plan_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
+  assert(compares_routes(asked.settings));
+  const PlanningProblem problem = with_track_prices(asked);
+  // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
+  constexpr double kLaidOut = 0.15;
+  const bool by_turns = headlands_follow_turns(problem.settings);
+  std::vector<Plan> layouts;
+  std::optional<Error> no_track;
+  try {
+    layouts = layouts_to_begin_with(problem, context.for_part(0, kLaidOut));
+  } catch (const Error& error) {
+    if (!by_turns || error.kind() != ErrorKind::kBadInput) throw;
+    no_track = error;
+    layouts.push_back(without_tracks(problem));
+  }
+  const SearchContext comparing = context.for_part(kLaidOut, 1);
+  if (!no_track && layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
+  const auto room_for_turns = [&](LayoutBy by) {
+    if (no_track) throw Error(*no_track);
+    const SearchContext deepening = comparing.uncounted().without_bound();
+    if (!by_turns) return searched_plan(problem, deepening, Explain::kNo).plan;
+    if (by == LayoutBy::kTurns) return with_headlands_for_turns(problem, layouts.back(), deepening);
+    return by_usual_prices(by == LayoutBy::kNoHeadland ? without_headlands_round(problem) : problem,
+                           comparing.uncounted());
+  };
+  const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
+  ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);
+  return {std::move(compared.plan), std::nullopt, std::move(compared.all)};
+}
+
+}  // namespace tramline
