@@ -12,7 +12,7 @@
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/whole/cheapest_route.h"
+#include "tramline/planner/plans/cheapest_route.h"
 
 namespace tramline::testing {
 namespace {

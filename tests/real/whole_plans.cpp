@@ -29,8 +29,8 @@
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/explain/longest_side.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/whole/cheapest_route.h"
 #include "tramline/planner/whole/route_floor.h"
 
 namespace tramline::testing {

@@ -1,11 +1,11 @@
 #include "tramline/planner/plan_field.h"
 
 #include "tramline/planner/headland_choice/room_beyond.h"
+#include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
 #include "tramline/planner/plans/plan_by_routes.h"
 #include "tramline/planner/plans/searched_plan.h"
 #include "tramline/planner/warnings.h"
-#include "tramline/planner/whole/cheapest_route.h"
 
 namespace tramline {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/planner/whole/cheapest_route.h"
+#include "tramline/planner/plans/cheapest_route.h"
 
 namespace tramline {
 namespace {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostChains = 8;
 constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
-constexpr int kPlaces = 8;
+constexpr int kPlacesOfFamily = 8;
 constexpr std::size_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
 
 /// A reference at one sideways offset, and the cost of its tracks.
@@ -147,8 +147,8 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
-    for (int k = 1; k < kPlaces; ++k)
-      moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
+    for (int k = 1; k < kPlacesOfFamily; ++k)
+      moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlacesOfFamily, {}});
   BestCosts best(1, no_more_than);
   best.offer(task, all.front().candidate);
   try_all(task, part, detours ? best_few : best, moved, context);

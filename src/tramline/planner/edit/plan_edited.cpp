@@ -13,10 +13,10 @@
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
-#include "tramline/planner/whole/cheapest_route.h"
 
 namespace tramline {
 namespace {

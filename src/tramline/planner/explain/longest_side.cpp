@@ -10,14 +10,14 @@
 namespace tramline {
 namespace {
 
-constexpr int kPlaces = 8;  ///< of a grid across a track
+constexpr int kPlacesOfGrid = 8;  ///< of a grid across a track
 
 /// The origins that are tried for one part of the ground.
 std::vector<double> origins_of(const Subfield& part, double width_m) {
   std::vector<double> out;
   for (const StripGrid& grid : strip_grids(part, width_m)) out.push_back(grid.origin_m);
   const double first_m = out.front();
-  for (int k = 1; k < kPlaces; ++k) out.push_back(first_m + width_m * k / kPlaces);
+  for (int k = 1; k < kPlacesOfGrid; ++k) out.push_back(first_m + width_m * k / kPlacesOfGrid);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "tramline/planner/plans/headlands_by_turns.h"
 
+#include <cassert>
 #include <optional>
 #include <utility>
 
@@ -110,6 +111,7 @@ Plan with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout
 
 ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, Decides decides,
                                                const SearchContext& context) {
+  assert(headlands_follow_turns(problem.settings));
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const Plan layout = searched_plan(bare, context.for_layout(), Explain::kNo).plan;
   if (layout.subfields.empty()) return planned_without_tracks(problem, context);

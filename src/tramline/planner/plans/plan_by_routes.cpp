@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
-#include "tramline/planner/whole/cheapest_route.h"
 
 namespace tramline {
 namespace {

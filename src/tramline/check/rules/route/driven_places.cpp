@@ -1,10 +1,10 @@
 #include "tramline/check/rules/route/driven_places.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
-
-#include "tramline/geometry/polygon/bounding_rectangle.h"
+#include <ranges>
 
 namespace tramline::check {
 namespace {
@@ -56,6 +56,25 @@ Ring common_part(Ring region, const Ring& other) {
     if (length_m > kNoSide_m) region = left_part(region, other[i], 1 / length_m * side, kFoundTo_m);
   }
   return region;
+}
+
+/// The corners of a convex region that points span, anticlockwise: above and below the line through the
+/// leftmost and the rightmost one (Andrew 1979).
+Ring spanned(std::vector<Point> points) {
+  std::ranges::sort(points, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  const auto chain = [](const auto& in_order) {
+    Ring out;
+    for (const Point p : in_order) {
+      while (out.size() > 1 && cross(out.back() - out[out.size() - 2], p - out[out.size() - 2]) <= 0)
+        out.pop_back();
+      if (out.empty() || out.back() != p) out.push_back(p);
+    }
+    return out;
+  };
+  Ring out = chain(points);
+  const Ring above = chain(points | std::views::reverse);
+  if (above.size() > 2) out.insert(out.end(), above.begin() + 1, above.end() - 1);
+  return out;
 }
 
 bool adds_nothing(const Ring& region, const Ring& more) {
@@ -124,6 +143,7 @@ bool may_be_on(const std::vector<LineStep>& line, const DrivenPlaces& places) {
 
 ConvexLand::ConvexLand(std::vector<Edge> edges, std::vector<Point> corners, double radius_m)
     : edges_(std::move(edges)), corners_(std::move(corners)), radius_m_(radius_m), beyond_m_(0), reach_m_(0) {
+  assert(!edges_.empty() && !corners_.empty() && radius_m_ > 0);
   for (const Point corner : corners_) reach_m_ = std::max(reach_m_, std::hypot(corner.x, corner.y));
   for (const Edge& edge : edges_)
     beyond_m_ = std::max(beyond_m_, 2 * reach_m_ + 3 * distance(edge.on, edges_.front().on));
@@ -167,11 +187,11 @@ DrivenPlaces ConvexLand::driven_from(const Pose& at, double sense) const {
     turns.add(corners, across, turns.on_m);
     turns.add(corners, back, 0);
     if (sector == begins) turns.add(corners, place, 0);
-    const Ring more = with_room(hull_of(std::move(corners)), bound, 0);
+    const Ring more = with_room(spanned(std::move(corners)), bound, 0);
     if (more.empty() || adds_nothing(region, more)) return false;
     corners = region;
     corners.insert(corners.end(), more.begin(), more.end());
-    Ring grown = hull_of(std::move(corners));
+    Ring grown = spanned(std::move(corners));
     if (grown == region) return false;
     region = std::move(grown);
     return true;
@@ -204,7 +224,7 @@ DrivenPlaces ConvexLand::driven_from(const Pose& at, double sense) const {
     sectors[i].add(corners, of(leftwards, sector), 0);
     sectors[i].add(corners, of(rightwards, sector + 1), 0);
     if (sector == begins) sectors[i].add(corners, place, 0);
-    out.in[i] = hull_of(std::move(corners));
+    out.in[i] = spanned(std::move(corners));
     // From halfway no corner is turned by more than half a sector.
     out.room[i] = with_room(out.in[i], sector + 0.5, 0.5 * kBetween * reach_m_);
   }

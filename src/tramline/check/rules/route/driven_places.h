@@ -32,7 +32,8 @@ class ConvexLand {
     Point on;
     Point inwards;  ///< unit vector
   };
-  /// `corners`: of the outline, ahead of the axle and to its left, m. Precondition: edges bound the land.
+  /// `corners`: of the outline, ahead of the axle and to its left, m. Preconditions: edges bound the land,
+  /// there are corners, radius_m > 0.
   ConvexLand(std::vector<Edge> edges, std::vector<Point> corners, double radius_m);
 
   /// By driving forward (+1) or backing (-1) from a place: all regions grow, heading by heading, until a

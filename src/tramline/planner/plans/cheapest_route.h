@@ -1,12 +1,13 @@
 #pragma once
 // The plan whose whole route costs least.
 
-#include <functional>
 #include <vector>
 
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/search_context.h"
+#include "tramline/planner/vary/other_kinds.h"
+#include "tramline/planner/whole/route_comparison.h"
 
 namespace tramline {
 
@@ -20,15 +21,6 @@ struct ComparedRoutes {
   Plan plan;                          ///< the cheapest
   std::vector<RouteAlternative> all;  ///< the plan first, then from the cheapest
 };
-
-/// All plans that are compared, or those that may be the cheapest.
-enum class Compare { kWhatMayWin, kAll };
-
-/// The plan with headlands as the turns of the problem need them, wherever tracks end: of the layout of least
-/// cost by the prices of its turns (track_prices()), or by the usual prices of tracks (Objective); or without
-/// the headlands that follow from turns.
-enum class LayoutBy { kTurns, kUsualPrices, kNoHeadland };
-using RoomForTurns = std::function<Plan(LayoutBy)>;
 
 /// Compares plans by what their whole routes cost (whole_cost()):
 /// the tracks of `layouts`, those of least cost behind the headlands, also along curves or by the usual

@@ -1,0 +1,12 @@
+#pragma once
+// Plans with headlands round other obstacles.
+
+#include "tramline/planner/whole/route_comparison.h"
+
+namespace tramline {
+
+/// Obstacles with headlands lose them, and those without get them, one at a time. Nothing where these passes
+/// are given, or in fields of many obstacles. Precondition: there is a plan.
+void vary_obstacles(RouteComparison& plans, RouteLayouts& layouts);
+
+}  // namespace tramline

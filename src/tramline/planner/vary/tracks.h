@@ -1,0 +1,20 @@
+#pragma once
+// Plans with other tracks behind the same headlands.
+
+#include "tramline/planner/whole/route_comparison.h"
+
+namespace tramline {
+
+/// Directions that come near the best plan behind other passes are laid behind its own. Precondition, as of
+/// vary_grids(): there is a plan.
+void vary_directions(RouteComparison& plans, RouteLayouts& layouts);
+
+/// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what
+/// is best by the usual prices is laid out behind these passes, too.
+void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes);
+
+/// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
+/// which the cost of tracks knows nothing. Of fields without obstacles.
+void vary_grids(RouteComparison& plans);
+
+}  // namespace tramline

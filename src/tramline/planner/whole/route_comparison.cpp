@@ -1,0 +1,113 @@
+#include "tramline/planner/whole/route_comparison.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/whole/route_alternative.h"
+
+namespace tramline {
+namespace {
+
+/// The share of what routes cost beyond their floors that the next one is expected to cost too.
+constexpr double kExpected = 0.4;
+
+}  // namespace
+
+RouteComparison::RouteComparison(const PlanningProblem& problem, Compare compare,
+                                 const SearchContext& context)
+    : problem_(problem),
+      compare_(compare),
+      context_(context),
+      least_beyond_floor_(std::numeric_limits<double>::max()) {
+  problem_.settings.turns = TurnPlanning::kNone;
+}
+
+const HeadlandTrial& RouteComparison::best() const {
+  assert(best_);
+  return plans_[*best_].laid.trial;
+}
+
+HeadlandTrial& RouteComparison::best_to_finish() {
+  assert(best_);
+  return plans_[*best_].laid.trial;
+}
+
+double RouteComparison::least_price() const {
+  return best_ ? *plans_[*best_].price : std::numeric_limits<double>::infinity();
+}
+
+double RouteComparison::least_expected(const ComparedPlan& entry) const {
+  return entry.floor + kExpected * least_beyond_floor_;
+}
+
+std::size_t RouteComparison::add(LaidOut laid) { return add(compared_plan(std::move(laid))); }
+
+std::size_t RouteComparison::add(ComparedPlan entry) {
+  plans_.push_back(std::move(entry));
+  return plans_.size() - 1;
+}
+
+void RouteComparison::take(ComparedPlan entry) { best_ = add(std::move(entry)); }
+
+void RouteComparison::plan_route(ComparedPlan& entry) {
+  context_.report();
+  HeadlandTrial& trial = entry.laid.trial;
+  trial.problem.settings.turns = TurnPlanning::kRoute;
+  trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
+  // What order was taken is the planner's choice, as it was asked for.
+  trial.problem.settings.route.order = trial.draft.plan.settings.route.order = problem_.settings.route.order;
+  told_of_.push_back(alternative_of(entry.laid.kind, trial.draft.plan));
+  entry.price = told_of_.back().cost.euros();
+}
+
+bool RouteComparison::improves(std::size_t i) {
+  ComparedPlan& entry = plans_[i];
+  if (entry.price || (best_ && context_.has_to_end())) return false;
+  if (is_told_of(entry)) return false;
+  const bool may_win = !best_ || least_expected(entry) + entry.lacks_room_like_others < least_price();
+  if (!may_win && compare_ == Compare::kWhatMayWin) return false;
+  const double before = least_price();
+  plan_route(entry);
+  entry.only_told_of = !may_win;
+  if (!may_win) return false;
+  // Other layouts may have room where this one has none.
+  const double with_room = *entry.price - whole_cost(entry.plan()).without_room;
+  least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, with_room - entry.floor));
+  if (*entry.price >= before) return false;
+  best_ = i;
+  return true;
+}
+
+/// Whether the same tracks have their route already. In another order they are another plan.
+bool RouteComparison::is_told_of(const ComparedPlan& entry) {
+  if (entry.laid.kind == Alternative::kAdjacent) return false;
+  const auto same = same_tracks_priced(plans_, entry);
+  if (!same || plans_[*same].only_told_of) return false;
+  if (plans_[*same].laid.kind != entry.laid.kind)
+    told_of_.push_back(alternative_of(entry.laid.kind, plans_[*same].plan()));
+  return true;
+}
+
+bool RouteComparison::improves(std::optional<LaidOut> laid) {
+  return laid && improves(add(std::move(*laid)));
+}
+
+void RouteComparison::plan_routes(const Share& of_progress) {
+  std::vector<std::size_t> order(plans_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [this](std::size_t a, std::size_t b) { return plans_[a].floor < plans_[b].floor; });
+  for (std::size_t done = 0; done < order.size(); ++done) {
+    ComparedPlan& entry = plans_[order[done]];
+    entry.lacks_room_like_others = room_lacked_by_others(plans_, entry);
+    improves(order[done]);
+    const double share = static_cast<double>(done + 1) / static_cast<double>(order.size());
+    context_.reach(of_progress.from + (of_progress.to - of_progress.from) * share);
+  }
+}
+
+}  // namespace tramline

@@ -1,0 +1,80 @@
+#pragma once
+// Plans of one problem whose routes are planned and priced, as far as they may be the cheapest.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/planning_problem.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/whole/compared_plans.h"
+#include "tramline/planner/whole/route_layouts.h"
+
+namespace tramline {
+
+/// All plans that are compared, or those that may be the cheapest.
+enum class Compare { kWhatMayWin, kAll };
+
+/// The plans compared so far, and the cheapest of them. Not for several threads.
+class RouteComparison {
+ public:
+  /// `problem`: with the order of the route that was asked for. The context outlives the comparison.
+  RouteComparison(const PlanningProblem& problem, Compare compare, const SearchContext& context);
+
+  const PlanningProblem& problem() const { return problem_; }
+  Compare compare() const { return compare_; }
+  const SearchContext& context() const { return context_; }
+  const ComparedPlans& plans() const { return plans_; }
+  /// Whether there is a plan, and time to look for a cheaper one.
+  bool goes_on() const { return best_ && !context_.has_to_end(); }
+  bool has_to_end() const { return context_.has_to_end(); }
+
+  bool has_best() const { return best_.has_value(); }
+  /// Precondition of these: has_best().
+  const HeadlandTrial& best() const;
+  const Plan& best_plan() const { return best().draft.plan; }
+  /// EUR; infinite where there is none.
+  double least_price() const;
+  /// Less than what the entry will cost is not to be expected, EUR: its floor, and a part of what routes of
+  /// this field cost beyond their floors at the least, so far.
+  double least_expected(const ComparedPlan& entry) const;
+
+  /// Its number among plans().
+  std::size_t add(LaidOut laid);
+  std::size_t add(ComparedPlan entry);
+  /// Plans its route, unless the same tracks have theirs, and says whether it is the cheapest so far. Where
+  /// that is not to be expected its route is planned to be told of only, so that explaining a plan does not
+  /// change it.
+  bool improves(std::size_t i);
+  /// Adds it, if there is one, and says the same.
+  bool improves(std::optional<LaidOut> laid);
+  /// Routes of all that have none, those of the lowest floors first.
+  struct Share {
+    double from = 0, to = 1;
+  };
+  void plan_routes(const Share& of_progress);
+
+  /// Plans the route of an entry that is not one of plans(), and tells of it.
+  void plan_route(ComparedPlan& entry);
+  /// Takes an entry with a route, which is cheaper than all others.
+  void take(ComparedPlan entry);
+
+  /// All routes, as they are told of.
+  std::vector<RouteAlternative>& told_of() { return told_of_; }
+  /// Precondition: has_best().
+  HeadlandTrial& best_to_finish();
+
+ private:
+  bool is_told_of(const ComparedPlan& entry);
+
+  PlanningProblem problem_;
+  Compare compare_;
+  const SearchContext& context_;
+  ComparedPlans plans_;
+  std::optional<std::size_t> best_{};
+  double least_beyond_floor_;
+  std::vector<RouteAlternative> told_of_;
+};
+
+}  // namespace tramline
