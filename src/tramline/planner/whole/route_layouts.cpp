@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
+#include "tramline/planner/whole/route_floor.h"
 #include "tramline/turns/turn_table.h"
 
 namespace tramline {
@@ -326,6 +328,8 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
   }
   std::vector<LaidOut> out;
   std::vector<Job> jobs;
+  std::optional<PassesByBoundary> for_curves;  // those behind which straight tracks may cost least
+  double least = std::numeric_limits<double>::infinity();
   for (const std::vector<int>& obstacles : round_obstacles) {
     if (!out.empty() && context_.has_to_end()) return out;
     const PassesByBoundary passes =
@@ -335,10 +339,16 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
     for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
     for (const Plan& layout : layouts_)
       if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
-    if (by_turns && out.empty())
-      for (LaidOut& laid : along_curves(passes)) found.push_back(std::move(laid));
+    if (!for_curves) for_curves = passes;
+    for (const LaidOut& laid : found) {
+      const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
+      if (floor < least) for_curves = passes;
+      least = std::min(least, floor);
+    }
     std::move(found.begin(), found.end(), std::back_inserter(out));
   }
+  if (by_turns && for_curves)
+    for (LaidOut& laid : along_curves(*for_curves)) out.push_back(std::move(laid));
   if (!out.empty() && context_.has_to_end()) return out;
   std::vector<const Behind*> known(jobs.size(), nullptr);
   for (std::size_t i = 0; i < jobs.size(); ++i) known[i] = &behind(jobs[i].passes);
