@@ -1,10 +1,10 @@
 #include "tramline/route/backing/heading_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numbers>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
@@ -32,6 +32,14 @@ double sectors_of(const Pose& pose) {
   const Point heading = pose.heading.unit();
   const double angle = std::atan2(heading.y, heading.x);
   return (angle < 0 ? angle + 2 * std::numbers::pi : angle) / kSector;
+}
+
+/// The sector of a heading, and the one beside it if the heading bounds it.
+std::array<std::size_t, 2> sectors_at(const Pose& pose) {
+  constexpr double kBound = 1e-6;  // of a sector
+  const double at = sectors_of(pose) + kHeadingSectors;
+  return {static_cast<std::size_t>(at - kBound) % kHeadingSectors,
+          static_cast<std::size_t>(at + kBound) % kHeadingSectors};
 }
 
 std::size_t after(std::size_t sector) { return (sector + 1) % kHeadingSectors; }
@@ -121,8 +129,7 @@ bool may_meet(const PlacesByHeading& a, const PlacesByHeading& b) {
 
 bool may_meet(const PlacesByHeading& places, const SteeredPath& line) {
   if (!places.followed) return true;
-  constexpr double kBound = 1e-6;  // of a sector: a heading there is in both
-  constexpr double kArc = 0.5;     // of a sector: so much of an arc is looked at as its chord
+  constexpr double kArc = 0.5;  // of a sector: so much of an arc is looked at as its chord
   for (const SteeredStretch& stretch : line) {
     if (stretch.clothoid()) return true;
     const double turned = std::abs(stretch.curvature_at_start) * stretch.length_m;
@@ -133,9 +140,8 @@ bool may_meet(const PlacesByHeading& places, const SteeredPath& line) {
                  to = pose_after(stretch, std::min(stretch.length_m, (part + 1) * step_m));
       const Ring chord{from.at, to.at};
       for (const Pose& pose : {from, to})
-        for (const double aside : {-kBound, kBound}) {
-          const auto sector = static_cast<std::size_t>(sectors_of(pose) + kHeadingSectors + aside);
-          const Ring& there = places.places[sector % kHeadingSectors];
+        for (const std::size_t sector : sectors_at(pose)) {
+          const Ring& there = places.places[sector];
           if (!there.empty() && !apart(there, chord)) return true;
         }
     }
@@ -179,7 +185,8 @@ PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
   PlacesByHeading out;
   out.places.resize(kHeadingSectors);
   out.on_land.resize(kHeadingSectors);
-  const auto begins = static_cast<std::size_t>(sectors_of(pose)) % kHeadingSectors;
+  const std::array<std::size_t, 2> first = sectors_at(pose);
+  const auto begins_in = [&](std::size_t sector) { return sector == first[0] || sector == first[1]; };
   const Ring start{pose.at + Point{-kBegin_m, -kBegin_m}, pose.at + Point{kBegin_m, -kBegin_m},
                    pose.at + Point{kBegin_m, kBegin_m}, pose.at + Point{-kBegin_m, kBegin_m}};
   // Places where it passes the lower bound of a sector, turning to the left and to the right.
@@ -190,7 +197,8 @@ PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
   };
   // Along the bounds of a sector, so that it is 2 r sin(δ/2) along the middle.
   const double through_m = 2 * radius_m_ * std::tan(0.5 * kSector);
-  std::deque<std::size_t> changed{begins};
+  std::deque<std::size_t> changed{first[0]};
+  if (first[1] != first[0]) changed.push_back(first[1]);
   std::vector<bool> seen(kHeadingSectors, false);
   std::size_t sectors = 0, steps = 0;
   for (; !changed.empty(); ++steps) {
@@ -208,7 +216,7 @@ PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
       std::vector<Point> more;
       add_moved(more, through, ways, through_m);
       add_moved(more, back, ways, 0);
-      if (sector == begins) add_moved(more, start, ways, 0);
+      if (begins_in(sector)) add_moved(more, start, ways, 0);
       const Ring there = on_land(hull_of(std::move(more)), at_bound_m_[bound]);
       return !there.empty() && grow(places, there);
     };
@@ -223,7 +231,7 @@ PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
     std::vector<Point> all;
     for (const Ring* from : {&leftwards[sector], &rightwards[after(sector)]})
       add_moved(all, *from, ways_in(sector), 0);
-    if (sector == begins) add_moved(all, start, ways_in(sector), 0);
+    if (begins_in(sector)) add_moved(all, start, ways_in(sector), 0);
     out.places[sector] = hull_of(std::move(all));
     out.on_land[sector] = on_land(out.places[sector], in_sector_m_[sector]);
   }
