@@ -150,7 +150,7 @@ bool may_meet(const PlacesByHeading& places, const SteeredPath& line) {
 }
 
 HeadingReach::HeadingReach(std::vector<Side> sides, const std::vector<Point>& corners, double radius_m)
-    : sides_(std::move(sides)), radius_m_(radius_m), far_m_(0) {
+    : sides_(std::move(sides)), radius_m_(radius_m) {
   assert(radius_m > 0 && !sides_.empty() && !corners.empty());
   for (const Side& side : sides_) far_m_ = std::max(far_m_, 4 * distance(side.at, sides_.front().at));
   double reach_m = 0;

@@ -51,7 +51,7 @@ class HeadingReach {
 
   std::vector<Side> sides_;
   double radius_m_;
-  double far_m_;                                 ///< more than the land is wide
+  double far_m_ = 0;                             ///< more than the land is wide
   std::vector<std::vector<double>> at_bound_m_;  ///< by lower bound of a sector and side: the least distance
   std::vector<std::vector<double>> in_sector_m_;
 };

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace tramline::check {
 namespace {
@@ -62,7 +61,7 @@ Ring common_part(Ring region, const Ring& other) {
 /// leftmost and the rightmost one (Andrew 1979).
 Ring spanned(std::vector<Point> points) {
   std::ranges::sort(points, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  const auto chain = [](const auto& in_order) {
+  const auto chain = [](const std::vector<Point>& in_order) {
     Ring out;
     for (const Point p : in_order) {
       while (out.size() > 1 && cross(out.back() - out[out.size() - 2], p - out[out.size() - 2]) <= 0)
@@ -72,7 +71,8 @@ Ring spanned(std::vector<Point> points) {
     return out;
   };
   Ring out = chain(points);
-  const Ring above = chain(points | std::views::reverse);
+  std::ranges::reverse(points);
+  const Ring above = chain(points);
   if (above.size() > 2) out.insert(out.end(), above.begin() + 1, above.end() - 1);
   return out;
 }
@@ -87,9 +87,6 @@ bool adds_nothing(const Ring& region, const Ring& more) {
   }
   return true;
 }
-
-/// Regions by the heading at which the machine passes them, turning one way.
-using Passed = std::vector<Ring>;
 
 /// Headings from one to the next, and how a machine gets on there.
 struct Sector {
@@ -111,6 +108,92 @@ struct Sector {
     corners.push_back(right + beyond_m * first);
     corners.push_back(left + beyond_m * last);
   }
+};
+
+/// All headings of a machine that drives on from a place, and the regions where it passes them.
+class Following {
+ public:
+  Following(const ConvexLand& land, const Pose& at, double sense)
+      : land_(land), begins_(wrapped(static_cast<int>(std::floor(heading_in_sectors(at))))) {
+    for (const Point corner : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}})
+      place_.push_back(at.at + kPlace_m * corner);
+    const double on_m = 2 * land.radius_m() * std::tan(0.5 * kBetween);
+    for (int i = 0; i < kHeadings; ++i)
+      sectors_.push_back({sense * unit_at(i), sense * unit_at(i + 1), on_m, land.beyond_m()});
+  }
+
+  /// A round to the left and one to the right; whether they added anything.
+  bool grows() {
+    bool out = false;
+    for (int i = 0; i < kHeadings; ++i) {
+      const int sector = wrapped(begins_ + i);
+      if (pass(left(sector + 1), sector, sector + 1, left(sector), right(sector + 1))) out = true;
+    }
+    for (int i = 0; i < kHeadings; ++i) {
+      const int sector = wrapped(begins_ - i);
+      if (pass(right(sector), sector, sector, right(sector + 1), left(sector))) out = true;
+    }
+    return out;
+  }
+
+  /// So many sectors it turns to.
+  int turned() {
+    int out = 0;
+    for (int sector = 0; sector < kHeadings; ++sector) out += turns_to(sector) ? 1 : 0;
+    return out;
+  }
+
+  DrivenPlaces places() {
+    DrivenPlaces out;
+    out.in.resize(kHeadings);
+    out.room.resize(kHeadings);
+    for (int sector = 0; sector < kHeadings; ++sector) {
+      if (!turns_to(sector)) continue;
+      const auto i = static_cast<std::size_t>(sector);
+      std::vector<Point> corners;
+      sectors_[i].add(corners, left(sector), 0);
+      sectors_[i].add(corners, right(sector + 1), 0);
+      if (sector == begins_) sectors_[i].add(corners, place_, 0);
+      out.in[i] = spanned(std::move(corners));
+      // From halfway no corner is turned by more than half a sector.
+      out.room[i] = land_.with_room(out.in[i], sector + 0.5, 0.5 * kBetween);
+    }
+    return out;
+  }
+
+ private:
+  Ring& left(int heading) { return leftwards_[static_cast<std::size_t>(wrapped(heading))]; }
+  Ring& right(int heading) { return rightwards_[static_cast<std::size_t>(wrapped(heading))]; }
+
+  bool turns_to(int sector) {
+    return sector == begins_ || !left(sector).empty() || !right(sector + 1).empty();
+  }
+
+  /// Passes the heading at one bound of a sector, from the other bound, back from this one, or from the
+  /// place.
+  bool pass(Ring& region, int sector, int bound, const Ring& across, const Ring& back) {
+    if (across.empty() && back.empty() && sector != begins_) return false;
+    const Sector& turns = sectors_[static_cast<std::size_t>(sector)];
+    std::vector<Point> corners;
+    turns.add(corners, across, turns.on_m);
+    turns.add(corners, back, 0);
+    if (sector == begins_) turns.add(corners, place_, 0);
+    const Ring more = land_.with_room(spanned(std::move(corners)), bound, 0);
+    if (more.empty() || adds_nothing(region, more)) return false;
+    corners = region;
+    corners.insert(corners.end(), more.begin(), more.end());
+    Ring grown = spanned(std::move(corners));
+    if (grown == region) return false;
+    region = std::move(grown);
+    return true;
+  }
+
+  const ConvexLand& land_;
+  int begins_;
+  Ring place_;
+  std::vector<Sector> sectors_;
+  /// Regions by the heading passed, turning to the left and to the right.
+  std::vector<Ring> leftwards_ = std::vector<Ring>(kHeadings), rightwards_ = std::vector<Ring>(kHeadings);
 };
 
 }  // namespace
@@ -142,7 +225,7 @@ bool may_be_on(const std::vector<LineStep>& line, const DrivenPlaces& places) {
 }
 
 ConvexLand::ConvexLand(std::vector<Edge> edges, std::vector<Point> corners, double radius_m)
-    : edges_(std::move(edges)), corners_(std::move(corners)), radius_m_(radius_m), beyond_m_(0), reach_m_(0) {
+    : edges_(std::move(edges)), corners_(std::move(corners)), radius_m_(radius_m) {
   assert(!edges_.empty() && !corners_.empty() && radius_m_ > 0);
   for (const Point corner : corners_) reach_m_ = std::max(reach_m_, std::hypot(corner.x, corner.y));
   for (const Edge& edge : edges_)
@@ -150,7 +233,8 @@ ConvexLand::ConvexLand(std::vector<Edge> edges, std::vector<Point> corners, doub
 }
 
 /// The corner that is nearest to an edge decides, of an outline that is turned by `heading` sectors.
-Ring ConvexLand::with_room(Ring region, double heading, double less_m) const {
+Ring ConvexLand::with_room(Ring region, double heading, double turned) const {
+  const double less_m = turned * reach_m_;
   const Point ahead = unit_at(heading), to_left{-ahead.y, ahead.x};
   for (const Edge& edge : edges_) {
     if (region.empty()) break;
@@ -164,71 +248,11 @@ Ring ConvexLand::with_room(Ring region, double heading, double less_m) const {
 }
 
 DrivenPlaces ConvexLand::driven_from(const Pose& at, double sense) const {
-  DrivenPlaces out;
-  out.in.resize(kHeadings);
-  out.room.resize(kHeadings);
-  const int begins = wrapped(static_cast<int>(std::floor(heading_in_sectors(at))));
-  Ring place;
-  for (const Point corner : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}})
-    place.push_back(at.at + kPlace_m * corner);
-  std::vector<Sector> sectors;
-  for (int i = 0; i < kHeadings; ++i)
-    sectors.push_back(
-        {sense * unit_at(i), sense * unit_at(i + 1), 2 * radius_m_ * std::tan(0.5 * kBetween), beyond_m_});
-  Passed leftwards(kHeadings), rightwards(kHeadings);
-  const auto of = [](Passed& passed, int heading) -> Ring& {
-    return passed[static_cast<std::size_t>(wrapped(heading))];
-  };
-  // Passes the heading at one bound of a sector, from the other bound, back from this one, or from the place.
-  const auto pass = [&](Ring& region, int sector, int bound, const Ring& across, const Ring& back) {
-    if (across.empty() && back.empty() && sector != begins) return false;
-    const Sector& turns = sectors[static_cast<std::size_t>(sector)];
-    std::vector<Point> corners;
-    turns.add(corners, across, turns.on_m);
-    turns.add(corners, back, 0);
-    if (sector == begins) turns.add(corners, place, 0);
-    const Ring more = with_room(spanned(std::move(corners)), bound, 0);
-    if (more.empty() || adds_nothing(region, more)) return false;
-    corners = region;
-    corners.insert(corners.end(), more.begin(), more.end());
-    Ring grown = spanned(std::move(corners));
-    if (grown == region) return false;
-    region = std::move(grown);
-    return true;
-  };
-  const auto turned_to = [&](int sector) {
-    return sector == begins || !of(leftwards, sector).empty() || !of(rightwards, sector + 1).empty();
-  };
+  Following following(*this, at, sense);
   int rounds = 0;
-  for (bool grows = true; grows; ++rounds) {
-    grows = false;
-    for (int i = 0; i < kHeadings; ++i) {
-      const int sector = wrapped(begins + i);
-      if (pass(of(leftwards, sector + 1), sector, wrapped(sector + 1), of(leftwards, sector),
-               of(rightwards, sector + 1)))
-        grows = true;
-    }
-    for (int i = 0; i < kHeadings; ++i) {
-      const int sector = wrapped(begins - i);
-      if (pass(of(rightwards, sector), sector, sector, of(rightwards, sector + 1), of(leftwards, sector)))
-        grows = true;
-    }
-    int turned = 0;
-    for (int sector = 0; sector < kHeadings; ++sector) turned += turned_to(sector) ? 1 : 0;
-    if (turned > kTurnsRound || rounds > kMostRounds) return {true, {}, {}};
-  }
-  for (int sector = 0; sector < kHeadings; ++sector) {
-    if (!turned_to(sector)) continue;
-    const auto i = static_cast<std::size_t>(sector);
-    std::vector<Point> corners;
-    sectors[i].add(corners, of(leftwards, sector), 0);
-    sectors[i].add(corners, of(rightwards, sector + 1), 0);
-    if (sector == begins) sectors[i].add(corners, place, 0);
-    out.in[i] = spanned(std::move(corners));
-    // From halfway no corner is turned by more than half a sector.
-    out.room[i] = with_room(out.in[i], sector + 0.5, 0.5 * kBetween * reach_m_);
-  }
-  return out;
+  while (following.grows())
+    if (++rounds > kMostRounds || following.turned() > kTurnsRound) return {true, {}, {}};
+  return following.places();
 }
 
 }  // namespace tramline::check

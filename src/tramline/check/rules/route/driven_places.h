@@ -40,14 +40,18 @@ class ConvexLand {
   /// round of all headings adds nothing.
   DrivenPlaces driven_from(const Pose& at, double sense) const;
 
- private:
-  Ring with_room(Ring region, double heading, double less_m) const;
+  /// What of a region leaves room for the outline at a heading, in sectors, or turned from it by so much,
+  /// rad.
+  Ring with_room(Ring region, double heading, double turned) const;
+  double radius_m() const { return radius_m_; }
+  double beyond_m() const { return beyond_m_; }
 
+ private:
   std::vector<Edge> edges_;
   std::vector<Point> corners_;
   double radius_m_;
-  double beyond_m_;  ///< farther than across the land
-  double reach_m_;   ///< of the corners
+  double beyond_m_ = 0;  ///< farther than across the land
+  double reach_m_ = 0;   ///< of the corners
 };
 
 }  // namespace tramline::check
