@@ -10,6 +10,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/polygon/bounding_rectangle.h"
+#include "tramline/route/axle/axle_path.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/room/allowed_land.h"
 

@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
 #include "tramline/planner/curved/along_guide.h"
 #include "tramline/planner/curved/curved_candidate.h"

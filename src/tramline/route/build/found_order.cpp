@@ -54,7 +54,7 @@ Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std:
     return shortened(tours.front(), costs, neighbours, usual_kicks(costs.lines()) / kShareAgain);
   tours.push_back(greedy_tour(costs, neighbours));
   const double greedy_s = std::max(0.0, connection_s(tours.back(), costs));
-  const Tour improved = shortened(tours.back(), costs, neighbours, 0);
+  Tour improved = shortened(tours.back(), costs, neighbours, 0);
   const double near_s = (1 - kNearBound) * connection_s(improved, costs);
   const PricedBound priced = best_bound(AsBounds(costs), {greedy_s, 0, greedy_s - near_s});
   if (priced.bound_s >= near_s) return improved;
