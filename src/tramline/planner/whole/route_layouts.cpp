@@ -328,7 +328,8 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
   }
   std::vector<LaidOut> out;
   std::vector<Job> jobs;
-  std::optional<PassesByBoundary> for_curves;  // those behind which straight tracks may cost least
+  // Those behind which straight tracks may cost least: as many round obstacles as turns need, or none.
+  std::optional<PassesByBoundary> for_curves;
   double least = std::numeric_limits<double>::infinity();
   for (const std::vector<int>& obstacles : round_obstacles) {
     if (!out.empty() && context_.has_to_end()) return out;
@@ -341,6 +342,7 @@ std::vector<LaidOut> RouteLayouts::to_begin_with() {
       if (follow_curves(layout.subfields)) jobs.push_back({Alternative::kSearched, layout, passes});
     if (!for_curves) for_curves = passes;
     for (const LaidOut& laid : found) {
+      if (obstacles != none && obstacles != obstacle_passes_) continue;
       const double floor = route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
       if (floor < least) for_curves = passes;
       least = std::min(least, floor);
