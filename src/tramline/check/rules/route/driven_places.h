@@ -20,7 +20,9 @@ struct LineStep {
   Pose from, to;
 };
 
+/// Whether a machine may be at one place of both, pointing into the same sector, to 5 cm.
 bool may_be_common(const DrivenPlaces& a, const DrivenPlaces& b);
+/// Whether one of the places may lie on the line, pointing as the machine does there, to 5 cm.
 bool may_be_on(const std::vector<LineStep>& line, const DrivenPlaces& places);
 
 /// The half planes that the land lies in, and the outline that has to stay in them at every heading that is a
