@@ -202,6 +202,19 @@ TEST(BestBound, OfNarrowTracksMeetsTheSearch) {
   }
 }
 
+// An ascent that ends near enough proves that much, and no more than the whole one may.
+TEST(BestBound, EndsNearEnough) {
+  const TableCosts costs = testing::dubins_costs(testing::rectangle(60, 3, 100), 6);
+  const Neighbours near = costs.neighbours();
+  const double found_s =
+      connection_s(shortened(greedy_tour(costs, near), costs, near, usual_kicks(60)), costs);
+  const double whole_s = best_bound(costs, {found_s, 0}).bound_s;
+  const PricedBound early = best_bound(costs, {found_s, 0, 0.1 * found_s});
+  EXPECT_GE(early.bound_s, 0.9 * found_s);
+  EXPECT_LT(early.bound_s, whole_s);
+  EXPECT_NEAR(early.bound_s, bound_of(early.prices_s, costs), kBoundRounding_s);
+}
+
 TEST(BestBound, IsTheSameEveryTime) {
   testing::for_each_seed(3, [](std::mt19937_64& random, int) {
     const TableCosts costs = testing::dubins_costs(testing::random_field_lines(100, 6, random), 6);
