@@ -93,7 +93,7 @@ void put_first(const Plan& plan, std::vector<RouteAlternative>& all) {
 /// `other`: a plan of another kind that costs less than the best one.
 ComparedRoutes compared(RouteComparison& plans, std::optional<Plan> other) {
   ComparedRoutes out;
-  out.all = std::move(plans.told_of());
+  out.all = plans.told_of();
   std::ranges::stable_sort(out.all, [](const RouteAlternative& a, const RouteAlternative& b) {
     return a.cost.euros() < b.cost.euros();
   });

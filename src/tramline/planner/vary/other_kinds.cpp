@@ -23,7 +23,7 @@ std::vector<LayoutBy> kinds_to_try(const RouteComparison& plans) {
 
 std::optional<Plan> cheaper(RouteComparison& plans, Plan plan, double least) {
   if (!plan.route.planned()) return plan;
-  plans.told_of().push_back(alternative_of(Alternative::kRoomForTurns, plan));
+  plans.tell_of(alternative_of(Alternative::kRoomForTurns, plan));
   if (plans.told_of().back().cost.euros() < least) return plan;
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tramline/planner/plan_field.h"
@@ -23,7 +24,6 @@ class RouteComparison {
   RouteComparison(const PlanningProblem& problem, Compare compare, const SearchContext& context);
 
   const PlanningProblem& problem() const { return problem_; }
-  Compare compare() const { return compare_; }
   const SearchContext& context() const { return context_; }
   const ComparedPlans& plans() const { return plans_; }
   /// Whether there is a plan, and time to look for a cheaper one.
@@ -60,8 +60,9 @@ class RouteComparison {
   /// Takes an entry with a route, which is cheaper than all others.
   void take(ComparedPlan entry);
 
-  /// All routes, as they are told of.
-  std::vector<RouteAlternative>& told_of() { return told_of_; }
+  /// All routes, as they are told of, in the order in which they were planned.
+  const std::vector<RouteAlternative>& told_of() const { return told_of_; }
+  void tell_of(RouteAlternative alternative) { told_of_.push_back(std::move(alternative)); }
   /// Precondition: has_best().
   HeadlandTrial& best_to_finish();
 
