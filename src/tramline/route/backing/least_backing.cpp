@@ -358,6 +358,14 @@ double LeastBacking::between(const LineExits& left, const LineExits& entered, do
   return may.all() ? anyhow_s : least_of_lines(left, entered, may, anyhow_s);
 }
 
+double LeastBacking::to_ring(const LineExits& exits, std::span<const SteeredPath> ring, double apart_m,
+                             double known_s) const {
+  const auto driven_to = [&](const SteeredPath& line) { return may_meet(*exits.reached->off, line); };
+  if (!exits.reached || std::ranges::any_of(ring, driven_to)) return known_s;
+  const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
+  return std::max(known_s, terms_.stop_s + apart_m / fastest_mps);
+}
+
 double LeastBacking::least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
                                     double known_s) const {
   const double least_s = least_between(left.whole, entered.whole, may, known_s);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -28,8 +29,8 @@ namespace tramline {
 /// no room to come parallel: so it does not get far along that side before it stops, nor forward to where
 /// another line begins too near to a side that it heads for. Then it has to stop to back once more.
 /// Of few lines it is followed to all places and headings that it gets to without a stop (HeadingReach),
-/// which tells at which of the two lines a way has to back. Each stop to back counts `stop_s` besides its
-/// time. Not for several threads.
+/// which tells at which of the two lines a way has to back, and whether one to a closed pass does. Each stop
+/// to back counts `stop_s` besides its time. Not for several threads.
 class LeastBacking {
  public:
   /// Whether the places that the machine gets to are followed: milliseconds for each end of a line.
@@ -47,6 +48,11 @@ class LeastBacking {
   /// From leaving one line to entering another, s; `known_s` or more: a lower bound without regard to the
   /// land. The distances backed are divided until the bound is found to kDivided_s or kDividedShare.
   double between(const LineExits& left, const LineExits& entered, double known_s) const;
+
+  /// Between an end of a line, left or entered, and a closed pass that the axle works along one of these
+  /// lines, and that lies so far away, s; at least `known_s`.
+  double to_ring(const LineExits& exits, std::span<const SteeredPath> ring, double apart_m,
+                 double known_s) const;
 
  private:
   using Side = HeadingReach::Side;

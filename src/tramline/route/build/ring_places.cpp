@@ -96,6 +96,7 @@ RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
   const double places = std::clamp(std::ceil(kPerMetre * (length_m - kRounding_m)), 1.0, kMostPlaces);
   for (const PassEntry& entry : entries_of(pass, length_m / (places - 0.5), turning))
     out.senses[entry.sense == Sense::kAlong ? 0 : 1].push_back(entry.entered);
+  out.lines = {steered(pass.path), steered(reversed(pass.path))};
   out.step_m = length_m / places;
   return out;
 }

@@ -15,6 +15,7 @@ namespace tramline {
 /// 1000 places of a long pass are apart.
 struct RingPlaces {
   std::array<std::vector<Pose>, 2> senses;  ///< in driving order, each way round
+  std::array<SteeredPath, 2> lines;         ///< the axle's, likewise
   double step_m = 0;                        ///< from each to the next
 };
 

@@ -64,16 +64,17 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   return out;
 }
 
-/// The axle's line, away from one of its ends.
-std::vector<LineStep> steps_of(const WayEnd& end) {
+/// Along pieces of a line, in order, whose poses are told by how far they lie along it.
+template <class PoseAt>
+std::vector<LineStep> steps_along(const std::vector<Piece>& pieces, const PoseAt& pose_at) {
   constexpr double kStep = std::numbers::pi / 72;  // turned by no more
   std::vector<LineStep> out;
   double at_m = 0;
-  for (const Piece& piece : pieces_from(*end.course, end.sense)) {
+  for (const Piece& piece : pieces) {
     const int parts = 1 + static_cast<int>(std::abs(piece.curvature) * piece.length_m / kStep);
     for (int i = 0; i < parts; ++i)
-      out.push_back({end.backed(at_m + i * piece.length_m / parts),
-                     end.backed(at_m + (i + 1) * piece.length_m / parts)});
+      out.push_back(
+          {pose_at(at_m + i * piece.length_m / parts), pose_at(at_m + (i + 1) * piece.length_m / parts)});
     at_m += piece.length_m;
   }
   return out;
@@ -290,8 +291,23 @@ LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double
   LineEnd out{way_end(course, from_m, sense, straight_on_m, Followed::kAll)};
   if (out.all.turns > kStraight)
     out.straight = way_end(course, from_m, sense, straight_on_m, Followed::kStraight);
-  if (land_) out.line = steps_of(out.all);
+  if (land_)
+    out.line = steps_along(pieces_from(course, sense), [&](double at_m) { return out.all.backed(at_m); });
   return out;
+}
+
+std::vector<LineStep> LandSides::round(const WorkedCourse& pass) const {
+  if (!land_) return {};
+  std::vector<Piece> pieces;
+  for (const PathSegment& segment : pass.line().path())
+    pieces.push_back({length(segment), segment.straight() ? 0 : segment.curvature});
+  return steps_along(pieces, [&](double at_m) { return pose_of(pass.line().place(at_m)); });
+}
+
+/// To back into the pass is to back along it, from another of its places.
+double LandSides::stops_s(const LineEnd& end, const std::vector<LineStep>& pass) const {
+  if (!land_ || may_be_on(pass, places_from(end.all.at, -end.all.sense))) return 0;
+  return costs_.stop_s;
 }
 
 LineEnd LandSides::leaving(const WorkedCourse& course) const {

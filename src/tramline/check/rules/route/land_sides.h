@@ -23,7 +23,8 @@ namespace tramline::check {
 /// no farther along the side than it gets aslant to it, backing and going forward, and not where it would
 /// have to turn away from a side too near to that beginning; else it stops once more. Where that is not
 /// enough, the places are followed that it gets to without a stop from either line (ConvexLand): where they
-/// are not common, it stops once more, too. Each stop to back counts besides its time as the plan says.
+/// are not common, it stops once more, too; and so it does on its way to a closed pass on which none of them
+/// lies. Each stop to back counts besides its time as the plan says.
 class LandSides {
  public:
   /// nullopt: where land beyond the boundary has no limits, where a machine reverses in turns or tows, and
@@ -32,6 +33,11 @@ class LandSides {
 
   LineEnd leaving(const WorkedCourse& course) const;
   LineEnd entering(const WorkedCourse& course) const;
+
+  /// All round a closed pass.
+  std::vector<LineStep> round(const WorkedCourse& pass) const;
+  /// What stops count, s, that no way between an end of a line and places of a closed pass can do without.
+  double stops_s(const LineEnd& end, const std::vector<LineStep>& pass) const;
 
   /// No way from one to the other takes less, s; at least `known_s`, of which that is known. Found to a
   /// thousandth by splitting the distances backed, the most promising first; where it is `enough_s` or more,

@@ -130,6 +130,9 @@ class Nodes {
       pass.step_m = course.length_m() / places;
       for (double place = 0; place < places; ++place)
         pass.left.push_back(pose_of(course.axle(place / places * course.length_m())));
+      if (!out_.sides) continue;
+      const std::vector<LineStep> line = out_.sides->round(course);
+      pass.line.insert(pass.line.end(), line.begin(), line.end());
     }
     pass.entered = pass.left;
     add_member({pass});
@@ -193,6 +196,14 @@ double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to, double e
   return sides_->least_s(*from.leaving, *to.entering, out_s, enough_s);
 }
 
+/// That a way from a line to a closed pass or to a line from there cannot do without.
+double LeastWays::stops_s(const RouteNode& from, const RouteNode& to) const {
+  if (!sides_) return 0;
+  if (from.leaving && to.kind == NodeKind::kClosedPass) return sides_->stops_s(*from.leaving, to.line);
+  if (from.kind == NodeKind::kClosedPass && to.entering) return sides_->stops_s(*to.entering, from.line);
+  return 0;
+}
+
 double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_s) const {
   const double straight = straight_s(a, b);
   if (a.kind == NodeKind::kGate || b.kind == NodeKind::kGate) return straight;
@@ -201,8 +212,11 @@ double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_
   const double next_m = kNextPasses_widths * width_m_ + 2 * (a.step_m + b.step_m);
   if (both_closed && straight * fastest_mps_ > next_m) return straight;
   const double steps_s = (a.step_m + b.step_m) / turning_.turning_speed_mps;
-  const double there_s = one_way_s(a, b, enough_s);
-  return std::max(straight, std::min(there_s, one_way_s(b, a, std::min(there_s, enough_s))) - steps_s);
+  const auto least_s = [&](const RouteNode& from, const RouteNode& to, double up_to_s) {
+    return std::max(one_way_s(from, to, up_to_s + steps_s) - steps_s, stops_s(from, to) + straight);
+  };
+  const double there_s = least_s(a, b, enough_s);
+  return std::min(there_s, least_s(b, a, std::min(there_s, enough_s)));
 }
 
 double LeastWays::straight_s(const RouteNode& a, const RouteNode& b) const {

@@ -22,7 +22,8 @@ struct RouteNode {
   std::vector<Pose> entered;  ///< where the work begins there
   /// Of a line's end, where the sides of the land bound ways.
   std::optional<LineEnd> leaving{}, entering{};
-  double step_m = 0;  ///< from each place of a closed pass to the next; 0: there is one place
+  double step_m = 0;             ///< from each place of a closed pass to the next; 0: there is one place
+  std::vector<LineStep> line{};  ///< of the closed pass, either way round, where the sides bound ways
 };
 
 /// A track, an open pass, a gate, or a closed pass.
@@ -57,6 +58,7 @@ class LeastWays {
  private:
   double least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
   double one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const;
+  double stops_s(const RouteNode& from, const RouteNode& to) const;
 
   Turning turning_;
   double width_m_;
