@@ -74,6 +74,17 @@ class Batch(unittest.TestCase):
         self.assertIn("chunks/000004-2.gpkg", one)
         self.assertTrue(one["histogram.png"].startswith(b"\x89PNG"))
 
+    @unittest.skipUnless(len(os.sched_getaffinity(0)) > 1, "this machine has one processor")
+    def test_one_processor_writes_what_several_do(self):
+        one = {min(os.sched_getaffinity(0))}
+        for name, choose in (("one", lambda: os.sched_setaffinity(0, one)), ("several", None)):
+            words = [TRAMLINE, "plan", str(self.parcels), "--id", "f0", "--width", "12"]
+            subprocess.run(
+                [*words, "-o", f"{self.folder}/{name}.gpkg", "--quiet"],
+                preexec_fn=choose, stdout=subprocess.DEVNULL, check=True,
+            )
+        self.assertEqual((self.folder / "one.gpkg").read_bytes(), (self.folder / "several.gpkg").read_bytes())
+
     def test_every_field_is_accounted_for(self):
         sums = json.loads(self.run_batch("out", "--json").stdout)
         self.assertEqual((sums["fields"], sums["planned"], sums["refused"]), (FIELDS + 1, FIELDS - 1, 2))

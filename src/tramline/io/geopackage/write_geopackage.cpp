@@ -32,6 +32,8 @@ GDALDriver& driver() {
 void fill_geopackage(const std::string& name, const LocalFrame& frame,
                      const std::function<void(const Target&)>& fill) {
   const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
+  // With several processors GDAL would index the first table in a thread, and put off writing the others.
+  const CPLConfigOptionSetter in_order("OGR_GPKG_ALLOW_THREADED_RTREE", "NO", false);
   const GDALDatasetUniquePtr file(driver().Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (file == nullptr) return;
   OGRSpatialReference crs = crs_of(frame);
