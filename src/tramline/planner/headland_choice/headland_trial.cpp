@@ -44,9 +44,16 @@ std::optional<HeadlandTrial> headland_trial_on(PlanningProblem problem, Prepared
   return HeadlandTrial{passes, std::move(problem), std::move(prepared), std::move(found), std::move(draft)};
 }
 
-Plan finished(HeadlandTrial trial, TurnPlanning turns, const SearchContext& context) {
+HeadlandTrial drafted_with(HeadlandTrial trial, TurnPlanning turns) {
+  if (trial.problem.settings.turns == turns) return trial;
   trial.problem.settings.turns = turns;
-  return finished_plan(SearchTask(trial.problem, trial.prepared), std::move(trial.found), context);
+  trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
+  return trial;
+}
+
+Plan finished(HeadlandTrial trial, const SearchContext& context) {
+  return finished(SearchTask(trial.problem, trial.prepared), std::move(trial.found), std::move(trial.draft),
+                  context);
 }
 
 }  // namespace tramline

@@ -39,7 +39,10 @@ std::optional<HeadlandTrial> headland_trial_on(PlanningProblem problem, Prepared
                                                const Plan& layout, const PassesByBoundary& passes,
                                                Offset offset, const SearchContext& context);
 
-/// The trial as a plan, its turns or its route planned anew as `turns` says.
-Plan finished(HeadlandTrial trial, TurnPlanning turns, const SearchContext& context);
+/// The trial with its turns or its route planned anew as `turns` says, where it has others.
+HeadlandTrial drafted_with(HeadlandTrial trial, TurnPlanning turns);
+
+/// The trial as a plan.
+Plan finished(HeadlandTrial trial, const SearchContext& context);
 
 }  // namespace tramline

@@ -65,10 +65,11 @@ class HeadlandsForTurns {
   /// The passes that the turns of the layout need.
   PassesByBoundary needed() const { return as_set(problem_, needed_passes(layout_)); }
 
-  Plan finished(Tried best) {
+  /// With obstacles without headland and at the offset that suit it best, and the turns that were asked for.
+  HeadlandTrial settled(Tried best) {
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(best);
     move_to_best_offset(best);
-    return tramline::finished(std::move(best.trial), asked_, context_);
+    return drafted_with(std::move(best.trial), asked_);
   }
 
  private:
@@ -166,8 +167,8 @@ class HeadlandsForTurns {
 
 }  // namespace
 
-Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
-                                   const OtherLayout& behind_passes, const SearchContext& context) {
+HeadlandTrial trial_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
+                                             const OtherLayout& behind_passes, const SearchContext& context) {
   HeadlandsForTurns search(problem, layout, context);
   std::optional<Tried> best = search.cheapest();
   if (!best || often_without_room(best->plan())) {
@@ -176,11 +177,11 @@ Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& l
       HeadlandsForTurns again(problem, *other, context);
       std::optional<Tried> along = again.cheapest();
       if (along && (!best || whole_price(along->plan()) < whole_price(best->plan())))
-        return again.finished(std::move(*along));
+        return again.settled(std::move(*along));
     }
   }
   if (!best) throw no_room(problem);
-  return search.finished(std::move(*best));
+  return search.settled(std::move(*best));
 }
 
 }  // namespace tramline

@@ -90,20 +90,22 @@ void put_first(const Plan& plan, std::vector<RouteAlternative>& all) {
   if (at != all.end()) std::rotate(all.begin(), at, at + 1);
 }
 
+Plan finished(OtherKind plan, const SearchContext& context) {
+  if (auto* const trial = std::get_if<HeadlandTrial>(&plan)) return finished(std::move(*trial), context);
+  return std::get<Plan>(std::move(plan));
+}
+
 /// `other`: a plan of another kind that costs less than the best one.
-ComparedRoutes compared(RouteComparison& plans, std::optional<Plan> other) {
+ComparedRoutes compared(RouteComparison& plans, std::optional<OtherKind> other) {
   ComparedRoutes out;
   out.all = plans.told_of();
   std::ranges::stable_sort(out.all, [](const RouteAlternative& a, const RouteAlternative& b) {
     return a.cost.euros() < b.cost.euros();
   });
-  if (other) {
-    out.plan = std::move(*other);
-  } else {
-    HeadlandTrial& trial = plans.best_to_finish();
-    out.plan = finished(SearchTask(trial.problem, trial.prepared), std::move(trial.found),
-                        std::move(trial.draft), plans.context());
-  }
+  if (other)
+    out.plan = finished(*std::move(other), plans.context());
+  else
+    out.plan = finished(std::move(plans.best_to_finish()), plans.context());
   put_first(out.plan, out.all);
   return out;
 }
@@ -129,7 +131,7 @@ ComparedRoutes cheapest_route(const PlanningProblem& problem, const std::vector<
   RouteLayouts laid_out(plans.problem(), layouts, context.uncounted());
   compare_all(plans, laid_out);
   if (plans.goes_on() && compare == Compare::kAll) add_for_comparison(plans, laid_out);
-  std::optional<Plan> other;
+  std::optional<OtherKind> other;
   if (!plans.has_best() || plans.goes_on()) other = with_room(plans, room_for_turns);
   ComparedRoutes out = compared(plans, std::move(other));
   // What a search proves of the cost of tracks says nothing about whole routes.

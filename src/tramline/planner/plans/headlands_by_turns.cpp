@@ -55,28 +55,39 @@ std::optional<Plan> layout_behind_passes(const PlanningProblem& bare, int passes
 
 /// The plan, or the same layout behind passes all round the field where its route costs less: from one pass
 /// on as long as more of them cost less.
-Plan or_behind_passes_all_round(Plan plan, const PlanningProblem& problem, const Plan& layout,
-                                const SearchContext& context) {
+HeadlandTrial or_behind_passes_all_round(HeadlandTrial best, const PlanningProblem& problem,
+                                         const Plan& layout, const SearchContext& context) {
   constexpr int kMostPasses = 6;
-  const auto price = [](const Plan& of) { return whole_cost(of).euros(); };
-  PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), plan.headland.obstacle_passes};
+  const auto price = [](const HeadlandTrial& of) { return whole_cost(of.draft.plan).euros(); };
+  PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), best.passes.obstacles};
   passes.obstacles.resize(problem.field.obstacles.size(), 0);
-  double least = price(plan), before = kAnyCost;
+  double least = price(best), before = kAnyCost;
   for (int all_round = 1; all_round <= kMostPasses && !context.has_to_end(); ++all_round) {
     passes.edges.assign(passes.edges.size(), all_round);
     std::optional<HeadlandTrial> trial =
         headland_trial(problem, layout, as_set(problem, passes), Offset::kOfLayout, context);
     if (!trial) break;
-    Plan other = finished(*std::move(trial), TurnPlanning::kRoute, context);
-    const double costs = price(other);
+    const double costs = price(*trial);
     if (costs < least) {
       least = costs;
-      plan = std::move(other);
+      best = *std::move(trial);
     }
     if (costs > before) break;
     before = costs;
   }
-  return plan;
+  return best;
+}
+
+/// Nothing where a layout has no tracks. `by`: what decides; `deepening`: for headlands behind the layout.
+std::optional<HeadlandTrial> best_trial(const PlanningProblem& problem, Decides by,
+                                        const SearchContext& context, const SearchContext& deepening) {
+  assert(headlands_follow_turns(problem.settings));
+  const PlanningProblem bare = without_headlands_for_turns(problem);
+  const Plan layout = searched_plan(bare, context.for_layout(), Explain::kNo).plan;
+  if (layout.subfields.empty()) return std::nullopt;
+  HeadlandTrial out = with_headlands_for_turns(problem, layout, deepening);
+  if (by != Decides::kWholeCost || problem.settings.headland_rule != HeadlandRule::kTurns) return out;
+  return or_behind_passes_all_round(std::move(out), problem, layout, context.uncounted().without_bound());
 }
 
 }  // namespace
@@ -102,23 +113,23 @@ ExplainedPlan planned_without_tracks(const PlanningProblem& problem, const Searc
   return {searched_plan(as_asked, context, Explain::kNo).plan, std::nullopt};
 }
 
-Plan with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
-                              const SearchContext& context) {
+HeadlandTrial with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
+                                       const SearchContext& context) {
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const auto behind_passes = [&](int passes) { return layout_behind_passes(bare, passes, context); };
-  return plan_with_headlands_for_turns(problem, layout, behind_passes, context);
+  return trial_with_headlands_for_turns(problem, layout, behind_passes, context);
+}
+
+std::optional<HeadlandTrial> best_tracks_with_headlands_for_turns(const PlanningProblem& problem,
+                                                                  const SearchContext& context) {
+  return best_trial(problem, Decides::kCostOfTracks, context, context.without_bound());
 }
 
 ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, Decides decides,
                                                const SearchContext& context) {
-  assert(headlands_follow_turns(problem.settings));
-  const PlanningProblem bare = without_headlands_for_turns(problem);
-  const Plan layout = searched_plan(bare, context.for_layout(), Explain::kNo).plan;
-  if (layout.subfields.empty()) return planned_without_tracks(problem, context);
-  Plan out = with_headlands_for_turns(problem, layout, context);
-  if (decides == Decides::kWholeCost && problem.settings.headland_rule == HeadlandRule::kTurns)
-    out = or_behind_passes_all_round(std::move(out), problem, layout, context.uncounted().without_bound());
-  return {std::move(out), std::nullopt};
+  std::optional<HeadlandTrial> best = best_trial(problem, decides, context, context);
+  if (!best) return planned_without_tracks(problem, context);
+  return {finished(*std::move(best), context), std::nullopt};
 }
 
 }  // namespace tramline

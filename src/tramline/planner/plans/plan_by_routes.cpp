@@ -36,15 +36,20 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
 }
 
 /// Straight tracks by the usual prices of tracks, with the headlands that their turns need.
-Plan by_usual_prices(PlanningProblem problem, const SearchContext& context) {
+OtherKind by_usual_prices(PlanningProblem problem, const SearchContext& context) {
   const Objective prices = std::exchange(problem.objective, Objective{});
   const TrackShape shape = problem.settings.shape;
-  Plan out = planned_with_headlands_for_turns(with_shape(std::move(problem), TrackShape::kStraight),
-                                              Decides::kCostOfTracks, context)
-                 .plan;
-  out.objective = prices;
-  out.cost = cost(prices, out.tally);
-  out.settings.shape = shape;
+  const PlanningProblem straight = with_shape(std::move(problem), TrackShape::kStraight);
+  std::optional<HeadlandTrial> found = best_tracks_with_headlands_for_turns(straight, context);
+  OtherKind out;
+  if (found)
+    out = *std::move(found);
+  else
+    out = planned_without_tracks(straight, context).plan;
+  Plan& plan = plan_of(out);
+  plan.objective = prices;
+  plan.cost = cost(prices, plan.tally);
+  plan.settings.shape = shape;
   return out;
 }
 
@@ -85,7 +90,7 @@ ExplainedPlan plan_by_routes(const PlanningProblem& asked, const SearchContext& 
   }
   const SearchContext comparing = context.for_part(kLaidOut, 1);
   if (!no_track && layouts.front().subfields.empty()) return planned_without_tracks(problem, comparing);
-  const auto room_for_turns = [&](LayoutBy by) {
+  const auto room_for_turns = [&](LayoutBy by) -> OtherKind {
     if (no_track) throw Error(*no_track);
     const SearchContext deepening = comparing.uncounted().without_bound();
     if (!by_turns) return searched_plan(problem, deepening, Explain::kNo).plan;

@@ -21,22 +21,32 @@ std::vector<LayoutBy> kinds_to_try(const RouteComparison& plans) {
   return out;
 }
 
-std::optional<Plan> cheaper(RouteComparison& plans, Plan plan, double least) {
-  if (!plan.route.planned()) return plan;
+bool is_cheaper(RouteComparison& plans, const Plan& plan, double least) {
+  if (!plan.route.planned()) return true;
   plans.tell_of(alternative_of(Alternative::kRoomForTurns, plan));
-  if (plans.told_of().back().cost.euros() < least) return plan;
-  return std::nullopt;
+  return plans.told_of().back().cost.euros() < least;
 }
 
 }  // namespace
 
-std::optional<Plan> with_room(RouteComparison& plans, const RoomForTurns& room_for_turns) {
+const Plan& plan_of(const OtherKind& other) {
+  if (const auto* const trial = std::get_if<HeadlandTrial>(&other)) return trial->draft.plan;
+  return std::get<Plan>(other);
+}
+
+Plan& plan_of(OtherKind& other) {
+  if (auto* const trial = std::get_if<HeadlandTrial>(&other)) return trial->draft.plan;
+  return std::get<Plan>(other);
+}
+
+std::optional<OtherKind> with_room(RouteComparison& plans, const RoomForTurns& room_for_turns) {
   const std::vector<LayoutBy> kinds = kinds_to_try(plans);
-  std::optional<Plan> out;
+  std::optional<OtherKind> out;
   for (std::size_t i = 0; i < kinds.size() && !(out && plans.has_to_end()); ++i) {
-    const double least = out ? whole_cost(*out).euros() : plans.least_price();
+    const double least = out ? whole_cost(plan_of(*out)).euros() : plans.least_price();
     try {
-      if (std::optional<Plan> other = cheaper(plans, room_for_turns(kinds[i]), least)) out = std::move(other);
+      OtherKind other = room_for_turns(kinds[i]);
+      if (is_cheaper(plans, plan_of(other), least)) out = std::move(other);
     } catch (const Error& error) {
       const bool last = i + 1 == kinds.size();
       if ((!plans.has_best() && !out && last) || error.kind() != ErrorKind::kBadInput) throw;

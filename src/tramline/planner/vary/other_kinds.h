@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <variant>
 
 #include "tramline/planner/whole/route_comparison.h"
 
@@ -12,11 +13,16 @@ namespace tramline {
 /// cost by the prices of its turns (track_prices()), or by the usual prices of tracks (Objective); or without
 /// the headlands that follow from turns.
 enum class LayoutBy { kTurns, kUsualPrices, kNoHeadland };
-using RoomForTurns = std::function<Plan(LayoutBy)>;
+/// Finished, or with its route and still to be finished.
+using OtherKind = std::variant<Plan, HeadlandTrial>;
+using RoomForTurns = std::function<OtherKind(LayoutBy)>;
+
+const Plan& plan_of(const OtherKind& other);
+Plan& plan_of(OtherKind& other);
 
 /// Plans of other kinds that cost less than the best one where that lacks room or hardly works, or where
 /// there is none; nullopt where none does. Where there is none of these either the error of the last is
 /// thrown.
-std::optional<Plan> with_room(RouteComparison& plans, const RoomForTurns& room_for_turns);
+std::optional<OtherKind> with_room(RouteComparison& plans, const RoomForTurns& room_for_turns);
 
 }  // namespace tramline
