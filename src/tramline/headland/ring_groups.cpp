@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/drivable_rings.h"
-#include "tramline/headland/narrow_passages.h"
+#include "tramline/headland/passages/narrow_passages.h"
+#include "tramline/headland/passages/rings_compared.h"
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
@@ -50,33 +50,6 @@ bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& r
       if (intersects(edge, reaches[k]) && distance_to_edge(path[k], a, b) < distance_m) return true;
   }
   return false;
-}
-
-/// The ground that rings leave, times kMissedToDoubled, plus the area they work elsewhere or again, up to a
-/// constant, m².
-double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const GroundToWork& to_work,
-                             const std::vector<HeadlandPass>& before) {
-  const double width_m = to_work.width_m;
-  if (rings.empty()) return 0;
-  RisingCurves curves;
-  Box window;
-  double worked_m2 = 0;
-  for (const HeadlandPass& ring : rings) {
-    window.extend(reach_of(ring.path, width_m));
-    worked_m2 += width_m * length(ring.path);
-    append_band(ring.path, width_m, Layer::kNew, curves);
-  }
-  for (const HeadlandPass& pass : before)
-    if (intersects(window, reach_of(pass.path, width_m)))
-      append_band(pass.path, width_m, Layer::kCovered, curves);
-  for (const Ring& ring : rings_of(to_work.ground)) append_ring(ring, Layer::kBody, window, curves);
-  return worked_m2 - (1 + kMissedToDoubled) * newly_covered_area(curves);
-}
-
-int meetings_of(const std::vector<HeadlandPass>& rings) {
-  std::vector<Path> paths;
-  for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
-  return meeting_count(paths);
 }
 
 /// Whether a pass of the group comes too near to the boundary or is on its wrong side.
@@ -145,10 +118,10 @@ std::vector<HeadlandPass> rings_round(const std::vector<std::size_t>& indices,
     return out;
   };
   const TurningRoom land = turning_room(members, terms.width_m, number, radius_m);
-  return passes_along(joined_through_narrow_passages(turning_centres(land), land, [&](const auto& rings) {
-    const std::vector<HeadlandPass> passes = passes_along(rings);
-    return RingsCost{meetings_of(passes), missed_and_doubled_m2(passes, to_work, before)};
-  }));
+  const auto better = [&](const std::vector<OffsetRing>& rings, const std::vector<OffsetRing>& than) {
+    return are_better(passes_along(rings), passes_along(than), to_work, before);
+  };
+  return passes_along(joined_through_narrow_passages(turning_centres(land), land, better));
 }
 
 std::vector<RingGroup> ring_groups(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,

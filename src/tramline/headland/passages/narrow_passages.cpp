@@ -1,4 +1,4 @@
-#include "tramline/headland/narrow_passages.h"
+#include "tramline/headland/passages/narrow_passages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,25 +194,17 @@ std::optional<OffsetRing> rolled_round(const std::vector<CentreLine>& centre_lin
   return out;
 }
 
-/// Fewer meetings, or as many and less area left and doubled by more than rounding.
-bool is_better(const RingsCost& a, const RingsCost& b) {
-  if (a.meetings != b.meetings) return a.meetings < b.meetings;
-  return a.missed_and_doubled_m2 < b.missed_and_doubled_m2 - kNoGain_m2;
-}
-
-/// The rings chosen so far, and their cost.
+/// The rings chosen so far.
 class Choice {
  public:
-  Choice(std::vector<OffsetRing> rings, const TurningRoom& land, const CostOfRings& cost)
-      : rings_(std::move(rings)), land_(land), cost_(cost), least_(cost(rings_)) {}
+  Choice(std::vector<OffsetRing> rings, const TurningRoom& land, const BetterRings& better)
+      : rings_(std::move(rings)), land_(land), better_(better) {}
 
   /// Rings that cannot be driven are not adopted.
   bool adopt_if_better(std::vector<OffsetRing> rings) {
-    const RingsCost now = cost_(rings);
-    if (!is_better(now, least_)) return false;
+    if (!better_(rings, rings_)) return false;
     for (const OffsetRing& ring : rings)
       if (!can_be_driven(closed_path(ring, land_.radius_m), land_)) return false;
-    least_ = now;
     rings_ = std::move(rings);
     return true;
   }
@@ -221,14 +213,13 @@ class Choice {
  private:
   std::vector<OffsetRing> rings_;
   const TurningRoom& land_;
-  const CostOfRings& cost_;
-  RingsCost least_;
+  const BetterRings& better_;
 };
 
 }  // namespace
 
 std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> centres,
-                                                       const TurningRoom& land, const CostOfRings& cost) {
+                                                       const TurningRoom& land, const BetterRings& better) {
   if (land.offset_boundaries.size() < 2 && centres.size() < 2) return centres;
   const std::vector<CentreLine> centre_lines = centre_lines_along(offset_lines(land), land.radius_m);
   std::vector<Stretch> stretches;
@@ -244,7 +235,7 @@ std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> c
                                             : std::vector<std::size_t>{};
   if (passages.empty() && idle.empty()) return centres;
 
-  Choice choice(std::move(centres), land, cost);
+  Choice choice(std::move(centres), land, better);
   std::vector<Link> links;
   for (const Stretch& stretch : stretches) links.push_back({stretch.after, {}});
   for (const std::vector<std::size_t>& passage : passages) {

@@ -8,14 +8,11 @@
 
 namespace tramline {
 
-/// The cost of driving rings, by their meetings first, then by the area they leave or double.
-struct RingsCost {
-  int meetings = 0;
-  double missed_and_doubled_m2 = 0;  ///< kMissedToDoubled · area left + area doubled; up to a constant
-};
-using CostOfRings = std::function<RingsCost(const std::vector<OffsetRing>&)>;
+/// Whether driving rings is better than driving others (are_better()).
+using BetterRings =
+    std::function<bool(const std::vector<OffsetRing>& rings, const std::vector<OffsetRing>& than)>;
 
-/// Rings of turning_centres(land) that also lead through narrow passages, where that costs less. The circle
+/// Rings of turning_centres(land) that also lead through narrow passages, where that is better. The circle
 /// needs no room in a passage: it rolls along one side, however near the other is; only what it draws has to
 /// be on the land. One by one, rings that face one another across a passage, or a ring that faces itself
 /// (round an obstacle), are joined by a line along each side; so are those that meet where several passages
@@ -24,8 +21,8 @@ using CostOfRings = std::function<RingsCost(const std::vector<OffsetRing>&)>;
 /// (Beside a single boundary there are none: a closed path without an obstacle inside has room for the circle
 /// that it is nowhere tighter than; Pestov and Ionin 1959.)
 ///
-/// O(n²) for n pieces of the offset line, and one evaluation of the cost for each passage.
+/// O(n²) for n pieces of the offset line, and one comparison for each passage.
 std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> centres,
-                                                       const TurningRoom& land, const CostOfRings& cost);
+                                                       const TurningRoom& land, const BetterRings& better);
 
 }  // namespace tramline
