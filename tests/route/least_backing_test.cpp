@@ -5,14 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <numbers>
 #include <optional>
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
-#include "route/rounded_rectangle.h"
+#include "route/backing_scenes.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/connection/least_seconds.h"
 #include "tramline/route/connection/way.h"
@@ -23,31 +22,15 @@ namespace tramline {
 namespace {
 
 using testing::for_each_seed;
-
-Heading towards_deg(double clockwise_from_north) {
-  return Heading::clockwise_from_north(Angle::degrees(clockwise_from_north));
-}
-
-Machine six_metres() {
-  Machine out;
-  out.width_m = out.radius_m = 6;
-  out.turning.turning_speed_mps = 1.5;
-  out.turning.reverse_speed_mps = 1;
-  out.turning.gear_change_s = 2;
-  return out;
-}
-
-Ring rectangle_of(double wide_m, double long_m) {
-  return {{0, 0}, {wide_m, 0}, {wide_m, long_m}, {0, long_m}};
-}
-
-/// Straight north to a place, or south from it.
-SteeredPath north_to(Point at, double length_m) {
-  return {arc_from({at - Point{0, length_m}, towards_deg(0)}, length_m, 0, Gear::kForward)};
-}
-SteeredPath south_from(Point at, double length_m) {
-  return {arc_from({at, towards_deg(180)}, length_m, 0, Gear::kForward)};
-}
+using testing::Line;
+using testing::north_to;
+using testing::random_field_of_sides;
+using testing::random_line;
+using testing::random_machine_that_backs;
+using testing::rectangle_of;
+using testing::six_metres;
+using testing::south_from;
+using testing::towards_deg;
 
 double between(const LeastBacking& backing, const SteeredPath& left, const SteeredPath& entered,
                const Machine& machine) {
@@ -161,11 +144,6 @@ TEST(LeastBacking, EachStopCounts) {
   EXPECT_NEAR(priced_s, found_s + 10, 0.1);
 }
 
-struct Line {
-  SteeredPath driven;
-  bool bent = false;
-};
-
 // On a field 24 m wide two tracks run 12 m apart from edge to edge, and the second is to be worked the same
 // way as the first. Having backed all along the first the machine stands at the edge, where it can neither
 // turn round nor get aside: it stops again to back into the second.
@@ -192,89 +170,6 @@ TEST(LeastBacking, GetsAsideOnlyByGoingOn) {
   EXPECT_LE(begun_s(13), aside_s);
   EXPECT_GE(begun_s(13), aside_s - 0.5);
   EXPECT_GE(begun_s(2), 2 * kStop_s);
-}
-
-/// The axle's way round a rectangle so far within its sides, either way, with corners as it turns.
-std::array<SteeredPath, 2> round_within(double wide_m, double long_m, double within_m,
-                                        const Machine& machine) {
-  const double radius_m = machine.radius_m;
-  HeadlandPass pass = testing::rounded_rectangle(wide_m - 2 * (within_m + radius_m),
-                                                 long_m - 2 * (within_m + radius_m), radius_m);
-  const Point middle{wide_m / 2, long_m / 2};
-  for (PathSegment& segment : pass.path) {
-    segment.from = segment.from + middle;
-    segment.to = segment.to + middle;
-  }
-  return {steered(pass.path), steered(reversed(pass.path))};
-}
-
-// To turn aside from a track takes r + w/2 = 9 m to the edge ahead. Where it ends 8 m from there the machine
-// stops on its way to the pass along the edge, which is 5 m away; likewise on its way back from there.
-TEST(LeastBacking, ToAClosedPassIsAStopWhereNoWayForwardLeadsToIt) {
-  const Machine machine = six_metres();
-  constexpr double kStop_s = 100;
-  const LeastBacking backing(rectangle_of(100, 200), 0, machine, kStop_s, LeastBacking::Places::kFollowed);
-  const auto ring = round_within(100, 200, 3, machine);
-  const auto to_ring_s = [&](const LineExits& exits) { return backing.to_ring(exits, ring, 5, 1); };
-  EXPECT_DOUBLE_EQ(to_ring_s(backing.left(north_to({40, 192}, 150))), kStop_s + 2 * 2 + 5 / 1.5);
-  EXPECT_DOUBLE_EQ(to_ring_s(backing.entered(south_from({40, 192}, 150))), kStop_s + 2 * 2 + 5 / 1.5);
-  EXPECT_DOUBLE_EQ(to_ring_s(backing.left(north_to({40, 188}, 150))), 1);
-  EXPECT_DOUBLE_EQ(to_ring_s(backing.entered(south_from({40, 188}, 150))), 1);
-  const LeastBacking not_followed(rectangle_of(100, 200), 0, machine, kStop_s);
-  EXPECT_DOUBLE_EQ(not_followed.to_ring(not_followed.left(north_to({40, 192}, 150)), ring, 5, 1), 1);
-}
-
-/// A field that is often narrow, with four sides or five.
-Ring random_field_of_sides(std::mt19937_64& random) {
-  const double wide_m = uniform(random, 9, 60), long_m = uniform(random, 40, 120);
-  Ring out = rectangle_of(wide_m, long_m);
-  const double skew = any_of(random, 0, 2) > 0 ? 1 : 0;
-  for (Point& corner : out) corner = corner + skew * Point{uniform(random, -2, 2), uniform(random, -15, 15)};
-  if (any_of(random, 0, 1) == 1)
-    out.insert(out.begin() + 3, 0.5 * (out[2] + out[3]) + Point{0, uniform(random, 1, 10)});
-  return out;
-}
-
-/// A line to where the outline meets the edge of the land ahead, or short of it, straight or bent behind the
-/// last metres; along the sides or aslant.
-std::optional<Line> random_line(const Ring& field, const AllowedLand& land, const Machine& machine,
-                                std::mt19937_64& random) {
-  const Box box = bounds(field);
-  const Outline outline = outline_of(machine);
-  Pose pose{{uniform(random, box.min_x, box.max_x), uniform(random, box.min_y, box.max_y)},
-            towards_deg(any_of(random, 0, 3) * 90 + uniform(random, -30, 30) * any_of(random, 0, 1))};
-  if (!land.holds(pose, outline)) return std::nullopt;
-  const double short_m = any_of(random, 0, 2) * uniform(random, 0, 6);
-  const bool to_edge = any_of(random, 0, 3) > 0;
-  while (to_edge && land.holds(moved_on(pose, 0.2 + short_m), outline)) pose = moved_on(pose, 0.2);
-  Line out;
-  out.bent = any_of(random, 0, 2) == 0;
-  SteeredPath back;
-  const double straight_m = uniform(random, 1, 60);
-  if (out.bent) {
-    back.push_back(arc_from(pose, uniform(random, 0, 8), 0, Gear::kReverse));
-    const double radius_m = machine.radius_m * uniform(random, 1, 4);
-    back.push_back(arc_from(end_of(back), uniform(random, 0, 0.7) * radius_m,
-                            (any_of(random, 0, 1) == 0 ? 1 : -1) / radius_m, Gear::kReverse));
-  }
-  back.push_back(arc_from(back.empty() ? pose : end_of(back), straight_m, 0, Gear::kReverse));
-  out.driven = retraced(back);
-  return out;
-}
-
-Machine random_machine_that_backs(std::mt19937_64& random) {
-  Machine out;
-  out.width_m = uniform(random, 2, 10);
-  out.radius_m = uniform(random, 3, 9);
-  out.turning.lift_m = any_of(random, 0, 1) * uniform(random, 0, 3);
-  out.turning.lower_m = any_of(random, 0, 1) * uniform(random, 0, 3);
-  out.turning.reverse_speed_mps = uniform(random, 0.5, 2);
-  out.turning.gear_change_s = uniform(random, 0, 3);
-  if (any_of(random, 0, 2) > 0) return out;
-  out.turning.front_overhang_m = uniform(random, 0, 3);
-  out.turning.vehicle_width_m = 2;
-  out.turning.implement_offset_m = uniform(random, -2, 2);
-  return out;
 }
 
 /// On from its end in the same gear, by an arc that the machine can turn, or not.
@@ -369,42 +264,6 @@ TEST(LeastBacking, IsNoMoreThanAnyWayTried) {
   EXPECT_GT(bent, 15);
   EXPECT_GT(near, 2);
   EXPECT_GT(more, 30);
-}
-
-// Where any forward way that is tried from a line to a closed pass, or back, has room, no stop is asked for.
-TEST(LeastBacking, AsksForNoStopWhereAWayLeadsForwardToAClosedPass) {
-  int asked = 0, driven = 0;
-  for_each_seed(200, [&](std::mt19937_64& random, int) {
-    const Machine machine = random_machine_that_backs(random);
-    const double least_m = machine.width_m + 2 * machine.radius_m;
-    const double wide_m = least_m + uniform(random, 0.1, 15), long_m = wide_m + uniform(random, 5, 60);
-    const Ring field = rectangle_of(wide_m, long_m);
-    const AllowedLand land({{field, {}}});
-    const auto line = random_line(field, land, machine, random);
-    if (!line) return;
-    const auto ring = round_within(wide_m, long_m, machine.width_m / 2, machine);
-    const LeastBacking backing(field, 0, machine, 100, LeastBacking::Places::kFollowed);
-    const bool stops = backing.to_ring(backing.left(line->driven), ring, 0, 0) > 0;
-    asked += stops ? 1 : 0;
-    const Outline outline = outline_of(machine);
-    bool fits = false;
-    for (int i = 0; i < 300 && !fits; ++i) {
-      const SteeredPath& round = ring[static_cast<std::size_t>(any_of(random, 0, 1))];
-      const Pose place = pose_on(round, uniform(random, 0, length(round)));
-      for (const Manoeuvre& way : dubins_words(end_of(line->driven), place, machine.radius_m))
-        fits = fits || land.fits(way.path, outline);
-    }
-    driven += fits ? 1 : 0;
-    EXPECT_FALSE(stops && fits);
-    // The way from the pass is the same turned round.
-    const LineExits back = backing.entered(turned_round(line->driven));
-    if (machine.turning.implement_offset_m == 0 && machine.turning.front_overhang_m == 0) {
-      EXPECT_EQ(backing.to_ring(back, ring, 0, 0) > 0, stops);
-    }
-  });
-  EXPECT_GT(asked, 0);
-  EXPECT_GT(driven, 0);
-  std::cout << asked << " lines with a stop, " << driven << " with a way forward\n";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace tramline {
 
 /// By how much more ground rings leave, times kMissedToDoubled, and work elsewhere or again than others, m².
-/// `before`: passes that have worked already. Rings that are none leave nothing. Only what lies near the
+/// `before`: passes that have worked already. Only what lies near the
 /// segments in which they differ is looked at: all else is the same for both. O(n log n) for n segments of
 /// rings and corners of the ground, and the areas near those segments (newly_covered_area()).
 double more_missed_and_doubled_m2(const std::vector<HeadlandPass>& rings,
