@@ -303,7 +303,8 @@ TEST(Unreachable, IsWhatLeadsToNoneOfTheEnds) {
 }
 
 /// What failed searches teach leaves out no way: one that meets a roadmap on which many were made before
-/// finds what the first on a roadmap finds.
+/// finds a way where the first on a roadmap does. Searches follow estimates up to a fifth too high, which
+/// know of the ends that lead nowhere, so what is found may differ by as much.
 TEST(Connector, LearnsFromWaysWithoutRoomOnlyWhatHolds) {
   int found = 0, without_room = 0;
   for_each_seed(12, [&](std::mt19937_64& random, int i) {
@@ -317,8 +318,9 @@ TEST(Connector, LearnsFromWaysWithoutRoomOnlyWhatHolds) {
         const Way first = Connector(scene.ground, roadmap, {}).between(from, to),
                   later = scene.connector.between(from, to);
         ASSERT_EQ(first.has_room(), later.has_room());
-        EXPECT_EQ(first.cost_s, later.cost_s);
-        EXPECT_EQ(length(first.path), length(later.path));
+        if (first.has_room()) {
+          EXPECT_LE(std::max(first.cost_s, later.cost_s), 1.2 * std::min(first.cost_s, later.cost_s));
+        }
         ++(first.has_room() ? found : without_room);
       }
   });

@@ -70,23 +70,6 @@ double DrivingGround::lacking_along_m(const SteeredPath& path) const {
   return missing_m > kNoticed_m ? missing_m : 0;
 }
 
-double DrivingGround::over_crop_m(const SteeredPath& path) const {
-  double out = 0;
-  std::optional<Point> last;
-  bool over = false;
-  for (const SteeredStretch& stretch : path) {
-    if (!(stretch.length_m > 0)) continue;
-    const double steps = std::ceil(stretch.length_m / kCropStep_m), each_m = stretch.length_m / steps;
-    for (double step = 0; step < steps; ++step) {
-      const Point at = pose_after(stretch, (step + 0.5) * each_m).at;
-      over = last ? over != crop_.lie_between(*last, at) : crop_.contains(at);
-      if (over) out += each_m;
-      last = at;
-    }
-  }
-  return out;
-}
-
 double cost_seconds(const SteeredPath& path, const DrivingGround& ground, CropDriven how) {
   const Turning& turning = ground.machine().turning;
   const double more = how == CropDriven::kAcross ? kMoreAcross : kMoreAlongTrack;

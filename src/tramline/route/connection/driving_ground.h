@@ -7,6 +7,7 @@
 
 #include "tramline/model/manoeuvre.h"
 #include "tramline/model/plan.h"
+#include "tramline/route/connection/crop_ground.h"
 #include "tramline/turns/manoeuvres/turn_curve.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/room/allowed_land.h"
@@ -46,7 +47,7 @@ class DrivingGround {
   double lacking_along_m(const SteeredPath& path) const;
 
   /// The length of the path over land of the tracks, in steps of kCropStep_m, m.
-  double over_crop_m(const SteeredPath& path) const;
+  double over_crop_m(const SteeredPath& path) const { return crop_.length_over_m(path); }
 
  private:
   const AllowedLand& turning_;
@@ -54,10 +55,9 @@ class DrivingGround {
   Outline outline_;
   TurnCurve curve_;
   std::optional<AllowedLand> with_passables_{};
-  LandEdges crop_;
+  CropGround crop_;
 };
 
-inline constexpr double kCropStep_m = 2;
 inline constexpr double kNoticed_m = 0.005;
 
 /// What driving over crop counts besides its time, as a multiple of it: along a track, whose lines are there

@@ -25,13 +25,16 @@ struct Move {
   RoadmapWays::Word* word = nullptr;  ///< to the roadmap; null of steps along lines and to ends
 };
 
-/// A step that may be taken, with a lower bound of its cost until it is settled.
+/// A step that may be taken, with a lower bound of its cost until it is settled. What it costs from its end
+/// on is estimated by straight lines first, and by Dubins paths when the search comes to it: most proposals
+/// are never come to.
 struct Proposal {
   double estimate_s = 0;  ///< of the whole way
   double cost_s = 0;      ///< up to the end of the step
   Move move{};
   const SteeredPath* way = nullptr;  ///< once it is settled
   std::size_t number = 0;            ///< breaks ties
+  bool crude = true;                 ///< estimated by straight lines
 
   friend bool operator>(const Proposal& a, const Proposal& b) {
     return a.estimate_s != b.estimate_s ? a.estimate_s > b.estimate_s : a.number > b.number;
@@ -83,6 +86,7 @@ class WaySearch {
       open_.pop();
       const std::size_t to = next.move.to;
       if (visits_[to].reached || leads_nowhere(to)) continue;
+      if (next.crude && !is_first_by_dubins(next)) continue;
       if (next.way == nullptr) {
         settle(next.move);
         continue;
@@ -102,7 +106,7 @@ class WaySearch {
  private:
   struct Visit {
     bool reached = false;
-    double least_s = -1;  ///< negative until computed
+    double hasty_s = -1, least_s = -1;  ///< negative until computed
     double cost_s = 0;
     double settled_s = std::numeric_limits<double>::infinity();  ///< the least cost of a settled step
     std::size_t from = 0;
@@ -123,6 +127,20 @@ class WaySearch {
   Point ahead(std::size_t place) const {
     if (is_begin(place)) return begins_ahead_[place];
     return is_end(place) ? ends_ahead_[place - place_of_end(0)] : on_roadmap(place).ahead;
+  }
+
+  /// Of the way from a place to the nearest end, as the straight line to it is long: no more than least_s().
+  double hasty_s(std::size_t place) {
+    if (is_end(place)) return 0;
+    Visit& visit = visits_[place];
+    if (visit.hasty_s >= 0) return visit.hasty_s;
+    visit.hasty_s = std::numeric_limits<double>::infinity();
+    const Point from = pose(place).at;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      if (!leads_not_to(i, place))
+        visit.hasty_s =
+            std::min(visit.hasty_s, kHaste * distance(from, ends_[i].pose.at) / speed_ + ends_[i].cost_s);
+    return visit.hasty_s;
   }
 
   /// Of the way from a place to the nearest end: no way forward is shorter than a shortest Dubins path.
@@ -189,16 +207,38 @@ class WaySearch {
     proposal.cost_s = visits_[move.from].cost_s + step_s + (is_end(move.to) ? end_at(move.to).cost_s : 0);
     double& settled_s = visits_[move.to].settled_s;
     if (proposal.cost_s >= settled_s) return;
-    proposal.estimate_s = proposal.cost_s + least_s(move.to);
-    if (proposal.estimate_s >= no_more_than_s_) {
-      limited_ = true;
-      return;
-    }
+    proposal.estimate_s = proposal.cost_s + hasty_s(move.to);
+    if (is_dearer_than_known(proposal)) return;
     if (way != nullptr) settled_s = proposal.cost_s;
     proposal.move = move;
     proposal.way = way;
     proposal.number = proposals_++;
     open_.push(proposal);
+  }
+
+  bool is_dearer_than_known(const Proposal& proposal) {
+    if (proposal.estimate_s < no_more_than_s_) return false;
+    limited_ = true;
+    return true;
+  }
+
+  /// Whether a proposal is still the first of all as Dubins paths have it; where it is not it is put back.
+  bool is_first_by_dubins(Proposal proposal) {
+    const Move& move = proposal.move;
+    const double crude_s = proposal.estimate_s;
+    proposal.crude = false;
+    if (!is_end(move.to)) {
+      proposal.estimate_s = proposal.cost_s + least_s(move.to);
+    } else if (proposal.way == nullptr) {
+      const double length_m = shortest_m(move.from, move.to);
+      if (!is_begin(move.from) && length_m > ways_on_.longest_word_m()) return false;
+      proposal.cost_s = visits_[move.from].cost_s + length_m / speed_ + end_at(move.to).cost_s;
+      proposal.estimate_s = proposal.cost_s;
+      if (proposal.cost_s >= visits_[move.to].settled_s) return false;
+    }
+    if (proposal.estimate_s == crude_s) return true;
+    if (!is_dearer_than_known(proposal)) open_.push(proposal);
+    return false;
   }
 
   /// Where it is known whether a word has room, the word as it is or none.
@@ -212,9 +252,8 @@ class WaySearch {
   }
 
   void propose_end(std::size_t from, std::size_t to, double longest_m) {
-    if (distance(pose(from).at, pose(to).at) > longest_m) return;
-    const double length_m = shortest_m(from, to);
-    if (length_m <= longest_m) propose({from, to}, length_m / speed_);
+    const double least_m = distance(pose(from).at, pose(to).at);
+    if (least_m <= longest_m) propose({from, to}, least_m / speed_);
   }
 
   void leave(std::size_t place) {
