@@ -47,8 +47,9 @@ struct Words {
 /// A random layout: so many passes round the field and round each obstacle.
 struct RandomLayout {
   Direction along;
-  double offset_m = 0, price = 0;
+  double offset_m = 0;
   int passes = 0, round_obstacles = 0;
+  Plan plan;  ///< its route and all
 };
 
 struct Compared {
@@ -77,9 +78,9 @@ RandomLayout any_layout(double width_m, std::mt19937& random) {
   return out;
 }
 
-/// The price of the layout with its route; nothing where no track fits, or where all that any route of it
+/// The plan of the layout with its route; nothing where no track fits, or where all that any route of it
 /// takes costs no less than `limit`.
-std::optional<double> price_below(double limit, const PlanningProblem& problem, const RandomLayout& layout) {
+std::optional<Plan> planned_below(double limit, const PlanningProblem& problem, const RandomLayout& layout) {
   PlanningProblem asked = problem;
   asked.settings.shape = TrackShape::kStraight;
   asked.settings.headland_rule = asked.settings.obstacle_headland_rule = HeadlandRule::kPasses;
@@ -97,7 +98,7 @@ std::optional<double> price_below(double limit, const PlanningProblem& problem, 
   found.best = candidate_on(laying, lined);
   if (!found.best.works()) return std::nullopt;
   if (route_floor(drafted(laying, found).plan, *prepared->turning_land) >= limit) return std::nullopt;
-  return price_of(drafted(SearchTask(asked, *prepared), found).plan);
+  return drafted(SearchTask(asked, *prepared), found).plan;
 }
 
 /// The cheapest of so many random layouts, if it costs less than `price`.
@@ -109,10 +110,11 @@ std::optional<RandomLayout> cheapest_random(const Field& field, const Machine& m
   std::optional<RandomLayout> out;
   for (int i = 0; i < layouts; ++i) {
     RandomLayout layout = any_layout(machine.width_m, random);
-    const auto costs = price_below(price, problem, layout);
-    if (!costs || *costs >= price) continue;
-    layout.price = price = *costs;
-    out = layout;
+    std::optional<Plan> plan = planned_below(price, problem, layout);
+    if (!plan || price_of(*plan) >= price) continue;
+    price = price_of(*plan);
+    layout.plan = *std::move(plan);
+    out = std::move(layout);
   }
   return out;
 }
@@ -151,11 +153,11 @@ Compared compare(const Field& field, const Machine& machine, const Words& words)
                           out.beaten_lengthwise ? ": CHEAPER" : "");
     }
     if (const auto found = cheapest_random(field, machine, out.whole, words.layouts)) {
-      out.beaten = found->price < (1 - kBeaten) * out.whole;
+      out.beaten = price_of(found->plan) < (1 - kBeaten) * out.whole;
       text +=
-          fmt::format("    random   {:.2f} € at {:.2f}°, offset {:.2f} m, {} passes, {} round obstacles{}\n",
-                      found->price, found->along.degrees(), found->offset_m, found->passes,
-                      found->round_obstacles, out.beaten ? ": CHEAPER" : "");
+          fmt::format("    random   {}, offset {:.2f} m, {} passes, {} round obstacles, tracks {:.2f} €{}\n",
+                      figures_in_full(found->plan), found->offset_m, found->passes, found->round_obstacles,
+                      found->plan.cost, out.beaten ? ": CHEAPER" : "");
     }
     fmt::print("{}", text);
   } catch (const Error& error) {

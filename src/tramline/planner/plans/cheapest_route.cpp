@@ -56,6 +56,7 @@ void compare_all(RouteComparison& plans, RouteLayouts& layouts) {
   if (plans.goes_on()) vary_prices(plans, layouts, PassesByBoundary(plans.best().passes));  // a copy
   context.reach(kDepthFound);
   if (plans.goes_on()) vary_obstacles(plans, layouts);
+  if (plans.goes_on()) vary_compass(plans, layouts);
   if (plans.goes_on()) vary_grids(plans);
   if (plans.goes_on() && backs_out(plans.best_plan())) plans.improves(in_adjacent_order(plans));
   if (plans.goes_on()) leave_out_tracks(plans);

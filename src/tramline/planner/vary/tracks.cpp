@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/planner/whole/moved_grids.h"
 #include "tramline/planner/whole/plan_faults.h"
 
 namespace tramline {
@@ -12,6 +13,10 @@ namespace {
 
 /// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
 constexpr std::size_t kDrafted = 12, kRouted = 2;
+
+/// Of directions all round so many are drafted behind each depth of headland, and so many get routes, where
+/// there are no more tracks.
+constexpr std::size_t kPointed = 8, kRoutedAllRound = 8, kTracksAllRound = 32;
 
 void vary_grid(RouteComparison& plans, std::size_t of) {
   const Plan& plan = plans.plans()[of].plan();
@@ -24,6 +29,28 @@ void vary_grid(RouteComparison& plans, std::size_t of) {
   for (std::size_t i = 0; i < std::min(near.size(), kRouted); ++i) {
     if (plans.has_to_end() || plans.least_expected(near[i]) >= plans.least_price()) return;
     plans.improves(plans.add(std::move(near[i])));
+  }
+}
+
+/// A plan without a route, and what it is expected to cost, EUR: beyond its floor as much as another behind
+/// the same passes.
+struct Expected {
+  double costs = 0;
+  ComparedPlan plan;
+};
+
+/// Round obstacles there are as many passes as in the best plan.
+void append_all_round(const RouteComparison& plans, const ComparedPlan& like, RouteLayouts& layouts,
+                      std::vector<Expected>& out) {
+  if (like.plan().pieces.empty() || like.plan().pieces.size() > kTracksAllRound) return;
+  const PassesByBoundary passes{like.passes().edges, plans.best().passes.obstacles};
+  std::optional<LaidOut> other;
+  if (passes != like.passes()) other = layouts.laid_out(Alternative::kSearched, like.plan(), passes);
+  if (passes != like.passes() && !other) return;
+  for (LaidOut& laid : all_round_the_compass(other ? *other : like.laid, kPointed, plans.context())) {
+    ComparedPlan plan = compared_plan(std::move(laid));
+    const double costs = plan.floor + *like.price - like.floor;
+    if (costs <= (1 + kComesNear) * plans.least_price()) out.push_back({costs, std::move(plan)});
   }
 }
 
@@ -43,6 +70,18 @@ void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBo
   const std::optional<Plan> usual = layouts.best_by_usual_prices(passes);
   if (usual && !has_such(plans.plans(), *usual, passes))
     plans.improves(layouts.laid_out(Alternative::kSearched, *usual, passes));
+}
+
+void vary_compass(RouteComparison& plans, RouteLayouts& layouts) {
+  assert(plans.has_best());
+  std::vector<Expected> all;
+  for (const std::size_t of : best_of_each_depth(plans.plans(), plans.least_price()))
+    append_all_round(plans, plans.plans()[of], layouts, all);
+  std::ranges::stable_sort(all, {}, &Expected::costs);
+  for (std::size_t i = 0; i < std::min(all.size(), kRoutedAllRound); ++i) {
+    if (plans.has_to_end()) return;
+    plans.improves(plans.add(std::move(all[i].plan)));
+  }
 }
 
 void vary_grids(RouteComparison& plans) {

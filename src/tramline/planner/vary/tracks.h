@@ -13,6 +13,10 @@ void vary_directions(RouteComparison& plans, RouteLayouts& layouts);
 /// is best by the usual prices is laid out behind these passes, too.
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes);
 
+/// Directions all round, where there are few tracks: their turns and ways decide, of which the cost of tracks
+/// knows nothing.
+void vary_compass(RouteComparison& plans, RouteLayouts& layouts);
+
 /// The tracks of the best plans moved and turned a little: where there are few, turns and ways decide, of
 /// which the cost of tracks knows nothing. Of fields without obstacles.
 void vary_grids(RouteComparison& plans);

@@ -23,6 +23,10 @@ constexpr std::ptrdiff_t kEnoughWithoutRoom = 3;
 /// best one.
 constexpr std::size_t kDepths = 2;
 constexpr double kAsGood = 0.01;
+/// Directions all round are looked at behind so many depths, where a plan costs no more than this share above
+/// the best one.
+constexpr std::size_t kDepthsAllRound = 3;
+constexpr double kHardlyMore = 0.25;
 
 /// The passes all round; -1 for others.
 int depth_of(const ComparedPlan& plan) { return all_round(plan.passes()) ? deepest(plan.passes()) : -1; }
@@ -127,6 +131,11 @@ std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_
 
 std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price) {
   return first_distinct(cheapest_within(plans, least_price, kAsGood), kDepths,
+                        [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
+}
+
+std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double least_price) {
+  return first_distinct(cheapest_within(plans, least_price, kHardlyMore), kDepthsAllRound,
                         [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
 }
 

@@ -51,6 +51,10 @@ std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_
 /// their tracks a little. Indices.
 std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price);
 
+/// The cheapest behind each of the few depths of headland that cost hardly more than the least price.
+/// Indices.
+std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double least_price);
+
 /// A plan, and about what it would cost without the tracks that are not worth their ways.
 struct Hopeful {
   double expected = 0;   ///< EUR

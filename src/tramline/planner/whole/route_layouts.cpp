@@ -1,7 +1,6 @@
 #include "tramline/planner/whole/route_layouts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -45,13 +44,6 @@ Plan layout_along(const PlanningProblem& problem, Direction direction) {
   return out;
 }
 
-bool all_in(const Plan& plan, Direction direction) {
-  return std::all_of(plan.subfields.begin(), plan.subfields.end(), [&](const Subfield& subfield) {
-    return subfield.reference.empty() &&
-           angle_between(subfield.direction, direction).degrees() < kSameDirection_deg;
-  });
-}
-
 void append_found(std::vector<std::optional<LaidOut>> laid, std::vector<LaidOut>& out) {
   for (std::optional<LaidOut>& one : laid)
     if (one) out.push_back(std::move(*one));
@@ -61,16 +53,6 @@ std::vector<int> passes_asked(const PlanningProblem& problem) {
   const PlanSettings& settings = problem.settings;
   if (!settings.headland_edges.empty()) return settings.headland_edges;
   return std::vector<int>(problem.field.outer.size(), settings.headlands);
-}
-
-/// The lines moved across and turned about a point.
-std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, Angle turned, Point about) {
-  for (LinedSubfield& one : lined) {
-    const double before_m = TrackFrame(one.subfield.direction).to_track(about).x;
-    one.subfield.direction = one.subfield.direction.rotated(turned);
-    one.origin_m += TrackFrame(one.subfield.direction).to_track(about).x - before_m + by_m;
-  }
-  return lined;
 }
 
 PlanningProblem with_straight_tracks(PlanningProblem problem) {
@@ -88,6 +70,13 @@ bool passes_work_most(const PreparedField& prepared) {
   return prepared.headland.worked_m2 > area(prepared.ground.body);
 }
 
+bool all_in(const Plan& plan, Direction direction) {
+  return std::all_of(plan.subfields.begin(), plan.subfields.end(), [&](const Subfield& subfield) {
+    return subfield.reference.empty() &&
+           angle_between(subfield.direction, direction).degrees() < kSameDirection_deg;
+  });
+}
+
 bool same_directions(const Plan& a, const Plan& b) {
   if (a.subfields.size() != b.subfields.size()) return false;
   return std::all_of(a.subfields.begin(), a.subfields.end(), [&](const Subfield& of_a) {
@@ -96,36 +85,6 @@ bool same_directions(const Plan& a, const Plan& b) {
              angle_between(of_a.direction, of_b.direction).degrees() < kSameDirection_deg;
     });
   });
-}
-
-std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most) {
-  constexpr int kOffsets = 8;
-  constexpr std::array kTurned_deg = {0.0, -1.5, 1.5, -3.0, 3.0};
-  const HeadlandTrial& trial = laid.trial;
-  const std::vector<LinedSubfield> lined = lined_subfields_of(trial.found.best);
-  if (lined.empty() || !all_in(trial.draft.plan, lined.front().subfield.direction)) return {};
-  PlanningProblem problem = trial.problem;
-  problem.settings.turns = TurnPlanning::kNone;
-  const SearchTask task(problem, trial.prepared);
-  const Point middle = bounds(trial.prepared.ground.plannable.front().outer).centre();
-  std::vector<Candidate> found;
-  for (const double turned_deg : kTurned_deg)
-    for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i) {
-      Candidate candidate = candidate_on(
-          task, moved(lined, i * problem.machine.width_m / kOffsets, Angle::degrees(turned_deg), middle));
-      if (candidate.works()) found.push_back(std::move(candidate));
-    }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
-  std::vector<LaidOut> out;
-  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
-    SearchResult result;
-    result.best = std::move(found[i]);
-    result.directions_tried = trial.found.directions_tried;
-    PlanDraft draft = drafted(task, result);
-    out.push_back({laid.kind, {trial.passes, problem, trial.prepared, std::move(result), std::move(draft)}});
-  }
-  return out;
 }
 
 RouteLayouts::RouteLayouts(const PlanningProblem& problem, const std::vector<Plan>& layouts,

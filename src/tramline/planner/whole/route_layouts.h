@@ -21,15 +21,14 @@ struct LaidOut {
   HeadlandTrial trial;
 };
 
+/// Whether all subfields of a plan have straight tracks in this direction.
+bool all_in(const Plan& plan, Direction direction);
+
 /// Whether two plans have as many subfields with the same straight directions, in whatever order.
 bool same_directions(const Plan& a, const Plan& b);
 
 /// Whether the field is so narrow, or so small, that the passes work more of it than tracks.
 bool passes_work_most(const PreparedField& prepared);
-
-/// Straight tracks of one direction behind the same passes, moved by eighths of their width and turned by up
-/// to three degrees about the middle of the land: the `most` grids whose tracks cost least. None for others.
-std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most);
 
 /// Lays tracks out for one problem. All functions are deterministic for any number of threads; one object
 /// serves one thread, because it keeps the land behind passes that it has prepared.

@@ -1,0 +1,22 @@
+#pragma once
+// Straight tracks of one direction that are laid on other grids behind the same passes.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/whole/route_layouts.h"
+
+namespace tramline {
+
+/// The tracks, all in one direction, moved by eighths of their width and turned by up to three degrees about
+/// the middle of the land: the `most` grids whose tracks cost least. None for others.
+std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most);
+
+/// Behind the passes of a layout, in directions all round that are three degrees apart and at offsets of an
+/// eighth of the width: the `most` grids whose routes cost least at the least (route_floor()). The cost of
+/// tracks does not know of ends without a way off. Deterministic for any number of threads.
+std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
+                                           const SearchContext& context);
+
+}  // namespace tramline

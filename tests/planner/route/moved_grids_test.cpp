@@ -1,0 +1,84 @@
+// Grids of tracks beside one that is known, and all round the compass.
+
+#include "tramline/planner/whole/moved_grids.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tramline/planner/plans/cheapest_route.h"
+#include "tramline/planner/whole/route_floor.h"
+
+namespace tramline {
+namespace {
+
+/// 40 m by 200 m towards the north, with two passes of 6 m along its short sides and none along the others, and
+/// tracks across it. Time costs nothing.
+LaidOut across_the_strip() {
+  Field field;
+  field.id = "strip";
+  field.outer = {{0, 0}, {40, 0}, {40, 200}, {0, 200}};
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 6;
+  machine.rates.price_per_hour = machine.rates.fuel_l_per_h = 0;
+  PlanSettings settings;
+  settings.boundary = EdgeKind::kHard;
+  const PlanningProblem problem = with_track_prices(planning_problem(field, machine, {}, settings));
+  Plan layout;
+  layout.machine = machine;
+  layout.subfields.push_back({{field.outer, {}}, Direction::clockwise_from_north(Angle::degrees(90))});
+  auto trial = headland_trial(problem, layout, {{2, 0, 2, 0}, {}}, Offset::kBest, SearchContext(1));
+  return {Alternative::kSearched, trial.value()};
+}
+
+double floor_of(const LaidOut& laid) {
+  return route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
+}
+
+double degrees_of(const LaidOut& laid) {
+  return laid.trial.draft.plan.subfields.front().direction.degrees();
+}
+
+// Across 31 tracks leave next to nothing of 176 m, and every one of them ends blindly at both of its ends. Along
+// the strip at most seven miss or overlap some of 40 m, and end in front of 12 m of headland.
+TEST(AllRoundTheCompass, KnowsEndsWithoutAWayOff) {
+  const LaidOut across = across_the_strip();
+  const std::vector<LaidOut> all = all_round_the_compass(across, 4, SearchContext(1));
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_LT(all.front().trial.found.best.avoided.tally.pieces, 8);
+  EXPECT_DOUBLE_EQ(degrees_of(all.front()), 0);
+  EXPECT_LT(floor_of(all.front()), floor_of(across));
+}
+
+TEST(AllRoundTheCompass, BeginsWithTheLowestFloorsForAnyNumberOfThreads) {
+  const LaidOut across = across_the_strip();
+  const std::vector<LaidOut> all = all_round_the_compass(across, 12, SearchContext(1));
+  const std::vector<LaidOut> again = all_round_the_compass(across, 12, SearchContext(3));
+  ASSERT_EQ(all.size(), 12U);
+  ASSERT_EQ(again.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(std::remainder(degrees_of(all[i]), 3), 0, 1e-9) << i;
+    if (i > 0) {
+      EXPECT_GE(floor_of(all[i]), floor_of(all[i - 1]) - 1e-9) << i;
+    }
+    EXPECT_EQ(degrees_of(again[i]), degrees_of(all[i])) << i;
+    EXPECT_EQ(floor_of(again[i]), floor_of(all[i])) << i;
+  }
+}
+
+// Turned by no more than three degrees, and no dearer the earlier.
+TEST(Beside, TurnsAndMovesALittle) {
+  const LaidOut across = across_the_strip();
+  const std::vector<LaidOut> near = beside(across, 5);
+  ASSERT_EQ(near.size(), 5U);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    EXPECT_LE(std::abs(degrees_of(near[i]) - 90), 3 + 1e-9) << i;
+    if (i > 0) {
+      EXPECT_GE(near[i].trial.found.best.cost(), near[i - 1].trial.found.best.cost()) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tramline
