@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,8 +12,9 @@
 namespace tramline {
 namespace {
 
-/// So many of the grids beside one are drafted, those of least cost of their tracks, and so many get routes.
-constexpr std::size_t kDrafted = 12, kRouted = 2;
+/// So many of the grids beside one get routes, and those beside a better one again, so often at the most.
+constexpr std::size_t kRoutedBeside = 4;
+constexpr int kTimesBeside = 3;
 
 /// Of directions all round so many are drafted behind each depth of headland, and so many get routes, where
 /// there are no more tracks.
@@ -21,14 +23,9 @@ constexpr std::size_t kPointed = 8, kRoutedAllRound = 8, kTracksAllRound = 32;
 void vary_grid(RouteComparison& plans, std::size_t of) {
   const Plan& plan = plans.plans()[of].plan();
   if (plan.pieces.empty() || !has_few_tracks(plan)) return;
-  ComparedPlans near;
-  for (LaidOut& laid : beside(plans.plans()[of].laid, kDrafted))
-    near.push_back(compared_plan(std::move(laid)));
-  std::stable_sort(near.begin(), near.end(),
-                   [](const ComparedPlan& a, const ComparedPlan& b) { return a.floor < b.floor; });
-  for (std::size_t i = 0; i < std::min(near.size(), kRouted); ++i) {
-    if (plans.has_to_end() || plans.least_expected(near[i]) >= plans.least_price()) return;
-    plans.improves(plans.add(std::move(near[i])));
+  for (LaidOut& laid : beside(plans.plans()[of].laid, kRoutedBeside, plans.context())) {
+    if (plans.has_to_end()) return;
+    plans.improves(std::move(laid));
   }
 }
 
@@ -87,7 +84,11 @@ void vary_compass(RouteComparison& plans, RouteLayouts& layouts) {
 void vary_grids(RouteComparison& plans) {
   assert(plans.has_best());
   if (!plans.problem().field.obstacles.empty()) return;
-  for (const std::size_t i : about_as_good(plans.plans(), plans.least_price())) vary_grid(plans, i);
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTimesBeside && plans.least_price() < before; ++i) {
+    before = plans.least_price();
+    for (const std::size_t of : about_as_good(plans.plans(), before)) vary_grid(plans, of);
+  }
 }
 
 }  // namespace tramline

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "tramline/geometry/strip/track_frame.h"
@@ -15,9 +16,9 @@ namespace tramline {
 namespace {
 
 /// A grid is tried at so many offsets.
-constexpr std::size_t kOffsets = 8;
+constexpr int kOffsets = 8;
 /// Directions all round, and what lies between two of them.
-constexpr std::size_t kDirections = 60;
+constexpr int kDirections = 60;
 constexpr double kApart_deg = 3;
 /// The lines moved across and turned about a point.
 std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, Angle turned, Point about) {
@@ -62,56 +63,53 @@ Plan tracks_alone(const SearchTask& task, const Candidate& candidate) {
   return out;
 }
 
-struct PricedLines {
-  std::vector<LinedSubfield> lines;
-  double floor = std::numeric_limits<double>::infinity();  ///< EUR; infinite where no track fits
-};
+/// Tracks on the lines behind the passes of a layout: the `most` of them of the lowest floors.
+std::vector<LaidOut> of_lowest_floors(const LaidOut& laid, std::vector<std::vector<LinedSubfield>> lines,
+                                      std::size_t most, const SearchContext& context) {
+  const PlanningProblem problem = problem_of(laid);
+  const PreparedField& prepared = laid.trial.prepared;
+  const SearchTask task(problem, prepared);
+  std::vector<double> floors(lines.size(), std::numeric_limits<double>::infinity());
+  for_each_index(lines.size(), context, [&](std::size_t i) {
+    const Candidate candidate = candidate_on(task, lines[i]);
+    if (candidate.works()) floors[i] = route_floor(tracks_alone(task, candidate), *prepared.turning_land);
+  });
+  std::vector<std::size_t> order(lines.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return floors[i]; });
+  order.resize(std::min(order.size(), most));
+  std::vector<LaidOut> out;
+  for (const std::size_t i : order)
+    if (std::isfinite(floors[i]))
+      out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i])));
+  return out;
+}
 
 }  // namespace
 
-std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most) {
+std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchContext& context) {
   constexpr std::array kTurned_deg = {0.0, -1.5, 1.5, -3.0, 3.0};
-  const HeadlandTrial& trial = laid.trial;
-  const std::vector<LinedSubfield> lined = lined_subfields_of(trial.found.best);
-  if (lined.empty() || !all_in(trial.draft.plan, lined.front().subfield.direction)) return {};
-  const PlanningProblem problem = problem_of(laid);
-  const SearchTask task(problem, trial.prepared);
-  const Point middle = bounds(trial.prepared.ground.plannable.front().outer).centre();
-  std::vector<Candidate> found;
+  const std::vector<LinedSubfield> lined = lined_subfields_of(laid.trial.found.best);
+  if (lined.empty() || !all_in(laid.trial.draft.plan, lined.front().subfield.direction)) return {};
+  const Point middle = bounds(laid.trial.prepared.ground.plannable.front().outer).centre();
+  const double step_m = laid.trial.problem.machine.width_m / kOffsets;
+  std::vector<std::vector<LinedSubfield>> lines;
   for (const double turned_deg : kTurned_deg)
-    for (std::size_t i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i) {
-      Candidate candidate =
-          candidate_on(task, moved(lined, static_cast<double>(i) * problem.machine.width_m / kOffsets,
-                                   Angle::degrees(turned_deg), middle));
-      if (candidate.works()) found.push_back(std::move(candidate));
-    }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
-  std::vector<LaidOut> out;
-  for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
-    out.push_back(drafted_like(laid, task, problem, std::move(found[i])));
-  return out;
+    for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i)
+      lines.push_back(moved(lined, i * step_m, Angle::degrees(turned_deg), middle));
+  return of_lowest_floors(laid, std::move(lines), most, context);
 }
 
 std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
                                            const SearchContext& context) {
-  const PlanningProblem problem = problem_of(laid);
-  const PreparedField& prepared = laid.trial.prepared;
-  const SearchTask task(problem, prepared);
-  std::vector<PricedLines> all(kDirections * kOffsets);
-  for_each_index(all.size(), context, [&](std::size_t i) {
-    const double direction = static_cast<double>(i / kOffsets), offset = static_cast<double>(i % kOffsets);
-    all[i].lines = on_one_grid(prepared.ground.plannable,
-                               Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
-                               offset * problem.machine.width_m / kOffsets);
-    const Candidate candidate = candidate_on(task, all[i].lines);
-    if (candidate.works()) all[i].floor = route_floor(tracks_alone(task, candidate), *prepared.turning_land);
-  });
-  std::ranges::stable_sort(all, {}, &PricedLines::floor);
-  std::vector<LaidOut> out;
-  for (std::size_t i = 0; i < std::min(all.size(), most) && std::isfinite(all[i].floor); ++i)
-    out.push_back(drafted_like(laid, task, problem, candidate_on(task, all[i].lines)));
-  return out;
+  const double step_m = laid.trial.problem.machine.width_m / kOffsets;
+  std::vector<std::vector<LinedSubfield>> lines;
+  for (int direction = 0; direction < kDirections; ++direction)
+    for (int i = 0; i < kOffsets; ++i)
+      lines.push_back(on_one_grid(laid.trial.prepared.ground.plannable,
+                                  Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
+                                  i * step_m));
+  return of_lowest_floors(laid, std::move(lines), most, context);
 }
 
 }  // namespace tramline

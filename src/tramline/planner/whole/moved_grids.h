@@ -9,13 +9,13 @@
 
 namespace tramline {
 
-/// The tracks, all in one direction, moved by eighths of their width and turned by up to three degrees about
-/// the middle of the land: the `most` grids whose tracks cost least. None for others.
-std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most);
+/// The tracks of a layout, all in one direction, moved by eighths of their width and turned by up to three
+/// degrees about the middle of the land: the `most` grids whose routes cost least at the least
+/// (route_floor()), in this order. The cost of tracks does not know of ends without a way off. None for
+/// others. Deterministic for any number of threads, as what follows.
+std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchContext& context);
 
-/// Behind the passes of a layout, in directions all round that are three degrees apart and at offsets of an
-/// eighth of the width: the `most` grids whose routes cost least at the least (route_floor()). The cost of
-/// tracks does not know of ends without a way off. Deterministic for any number of threads.
+/// The same for grids behind the passes of a layout in directions all round that are three degrees apart.
 std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
                                            const SearchContext& context);
 
