@@ -85,10 +85,12 @@ TEST(PlannedRoutes, hold_between_gates) {
 }
 
 /// The bound of the plan holds, and two parts in a hundred more are refused. Returns the plan.
-Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost, int headlands = 0) {
+Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost, int headlands = 0,
+                           std::vector<Point> guide = {}) {
   PlanSettings settings = whole_route(headlands);
   settings.boundary = EdgeKind::kHard;
   settings.aim = aim;
+  settings.guide = std::move(guide);
   Plan plan = plan_field(field_of(std::move(outer)), of, {}, settings);
   const auto refused = [](const Plan& one) {
     const std::vector<check::Violation> all = check::verify(one).violations;
@@ -127,10 +129,11 @@ TEST(PlannedRoutes, are_bounded_with_their_stops_where_these_are_priced) {
   EXPECT_GT(plan.route.proof.bound_s, sums.time_s);
 }
 
-// On a strip of 26 m the machine turns aside from a track to the pass along the edge only if it backs first,
-// which the bound counts: were it not for that stop it would lie below 0.87 of the route.
+// On a strip of 26 m the machine turns aside from a track along it to the pass along the edge only if it
+// backs first, which the bound counts: were it not for that stop it would lie below 0.87 of the route.
 TEST(PlannedRoutes, are_bounded_with_the_stop_before_a_closed_pass) {
-  const Plan plan = with_bound_that_holds(box(0, 0, 26, 100), machine(6, 6), Aim::kWholeCost, 1);
+  const Plan plan =
+      with_bound_that_holds(box(0, 0, 26, 100), machine(6, 6), Aim::kWholeCost, 1, {{13, 0}, {13, 100}});
   ASSERT_TRUE(is_closed(plan.headland.passes.front()));
   EXPECT_GT(sums_of(plan.route).back_outs, 0U);
   EXPECT_GT(plan.route.proof.bound_s, 0.97 * priced_time_s(plan.route));

@@ -20,6 +20,7 @@ constexpr int kOffsets = 8;
 /// Directions all round, and what lies between two of them.
 constexpr int kDirections = 60;
 constexpr double kApart_deg = 3;
+
 /// The lines moved across and turned about a point.
 std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, Angle turned, Point about) {
   for (LinedSubfield& one : lined) {
