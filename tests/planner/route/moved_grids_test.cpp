@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "planner/route/strip.h"
 #include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/whole/route_floor.h"
 
@@ -15,12 +17,8 @@ namespace {
 /// 40 m by 200 m towards the north, with two passes of 6 m along its short sides and none along the others,
 /// and tracks across it. Time costs nothing.
 LaidOut across_the_strip() {
-  Field field;
-  field.id = "strip";
-  field.outer = {{0, 0}, {40, 0}, {40, 200}, {0, 200}};
-  Machine machine;
-  machine.width_m = 6;
-  machine.radius_m = 6;
+  const Field field = testing::strip_field();
+  Machine machine = testing::strip_machine();
   machine.rates.price_per_hour = machine.rates.fuel_l_per_h = 0;
   PlanSettings settings;
   settings.boundary = EdgeKind::kHard;
@@ -36,7 +34,23 @@ double floor_of(const LaidOut& laid) {
   return route_floor(laid.trial.draft.plan, *laid.trial.prepared.turning_land);
 }
 
+/// The same land with all tracks on one grid.
+LaidOut on_grid(LaidOut laid, double deg, double origin_m) {
+  HeadlandTrial& trial = laid.trial;
+  trial.problem.settings.turns = TurnPlanning::kNone;
+  const SearchTask task(trial.problem, trial.prepared);
+  std::vector<LinedSubfield> lines;
+  for (const Polygon& part : trial.prepared.ground.plannable)
+    lines.push_back({{part, Direction::clockwise_from_north(Angle::degrees(deg))}, origin_m});
+  trial.found = {};
+  trial.found.best = candidate_on(task, lines);
+  trial.draft = drafted(task, trial.found);
+  return laid;
+}
+
 double degrees_of(const LaidOut& laid) { return laid.trial.draft.plan.subfields.front().direction.degrees(); }
+
+Point first_start(const LaidOut& laid) { return laid.trial.draft.plan.pieces.front().start; }
 
 // Across 31 tracks leave next to nothing of 176 m, and every one of them ends blindly at both of its ends.
 // Along the strip at most seven miss or overlap some of 40 m, and end in front of 12 m of headland.
@@ -63,6 +77,17 @@ TEST(AllRoundTheCompass, BeginsWithTheLowestFloorsForAnyNumberOfThreads) {
     EXPECT_EQ(degrees_of(again[i]), degrees_of(all[i])) << i;
     EXPECT_EQ(floor_of(again[i]), floor_of(all[i])) << i;
   }
+  // Of all others, drafted as plans, none has a lower floor.
+  for (double deg = 0; deg < 180; deg += 15)
+    for (int eighths = 0; eighths < 8; ++eighths) {
+      const LaidOut other = on_grid(across, deg, eighths * 6.0 / 8);
+      const bool returned = std::ranges::any_of(all, [&](const LaidOut& one) {
+        return degrees_of(one) == degrees_of(other) && std::abs(floor_of(one) - floor_of(other)) < 1e-9;
+      });
+      if (!returned) {
+        EXPECT_GE(floor_of(other), floor_of(all.back()) - 1e-9) << deg << "° " << eighths;
+      }
+    }
 }
 
 TEST(Beside, TurnsAndMovesALittle) {
@@ -74,6 +99,10 @@ TEST(Beside, TurnsAndMovesALittle) {
     if (i > 0) {
       EXPECT_GE(floor_of(near[i]), floor_of(near[i - 1]) - 1e-9) << i;
     }
+    // None is where the tracks were, or where another is.
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_NE(first_start(near[i]), first_start(near[k])) << i << " " << k;
+    EXPECT_NE(first_start(near[i]), first_start(across)) << i;
   }
 }
 

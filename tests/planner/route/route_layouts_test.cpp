@@ -7,21 +7,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/route/strip.h"
 #include "tramline/planner/plans/cheapest_route.h"
 
 namespace tramline {
 namespace {
 
 PlanningProblem strip_problem(HeadlandRule rule) {
-  Field field;
-  field.id = "strip";
-  field.outer = {{0, 0}, {40, 0}, {40, 200}, {0, 200}};
-  Machine machine;
-  machine.width_m = 6;
-  machine.radius_m = 6;
   PlanSettings settings;
   settings.headland_rule = rule;
-  return planning_problem(field, machine, {}, settings);
+  return planning_problem(testing::strip_field(), testing::strip_machine(), {}, settings);
 }
 
 std::vector<Plan> one_layout(const PlanningProblem& problem) {

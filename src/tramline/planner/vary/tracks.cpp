@@ -41,10 +41,10 @@ void append_all_round(const RouteComparison& plans, const ComparedPlan& like, Ro
                       std::vector<Expected>& out) {
   if (like.plan().pieces.empty() || like.plan().pieces.size() > kTracksAllRound) return;
   const PassesByBoundary passes{like.passes().edges, plans.best().passes.obstacles};
-  std::optional<LaidOut> other;
-  if (passes != like.passes()) other = layouts.laid_out(Alternative::kSearched, like.plan(), passes);
-  if (passes != like.passes() && !other) return;
-  for (LaidOut& laid : all_round_the_compass(other ? *other : like.laid, kPointed, plans.context())) {
+  const std::optional<LaidOut> on =
+      passes == like.passes() ? like.laid : layouts.laid_out(Alternative::kSearched, like.plan(), passes);
+  if (!on) return;
+  for (LaidOut& laid : all_round_the_compass(*on, kPointed, plans.context())) {
     ComparedPlan plan = compared_plan(std::move(laid));
     const double costs = plan.floor + *like.price - like.floor;
     if (costs <= (1 + kComesNear) * plans.least_price()) out.push_back({costs, std::move(plan)});

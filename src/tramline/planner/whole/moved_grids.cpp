@@ -65,8 +65,9 @@ Plan tracks_alone(const SearchTask& task, const Candidate& candidate) {
 }
 
 /// Tracks on the lines behind the passes of a layout: the `most` of them of the lowest floors.
-std::vector<LaidOut> of_lowest_floors(const LaidOut& laid, std::vector<std::vector<LinedSubfield>> lines,
-                                      std::size_t most, const SearchContext& context) {
+std::vector<LaidOut> of_lowest_floors(const LaidOut& laid,
+                                      const std::vector<std::vector<LinedSubfield>>& lines, std::size_t most,
+                                      const SearchContext& context) {
   const PlanningProblem problem = problem_of(laid);
   const PreparedField& prepared = laid.trial.prepared;
   const SearchTask task(problem, prepared);
@@ -98,7 +99,7 @@ std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchC
   for (const double turned_deg : kTurned_deg)
     for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i)
       lines.push_back(moved(lined, i * step_m, Angle::degrees(turned_deg), middle));
-  return of_lowest_floors(laid, std::move(lines), most, context);
+  return of_lowest_floors(laid, lines, most, context);
 }
 
 std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
@@ -110,7 +111,7 @@ std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most
       lines.push_back(on_one_grid(laid.trial.prepared.ground.plannable,
                                   Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
                                   i * step_m));
-  return of_lowest_floors(laid, std::move(lines), most, context);
+  return of_lowest_floors(laid, lines, most, context);
 }
 
 }  // namespace tramline

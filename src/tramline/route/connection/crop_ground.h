@@ -14,7 +14,8 @@ namespace tramline {
 /// cell. Built once, and safe to read from any number of threads.
 class CropGround {
  public:
-  /// O(n + cells that edges meet + cells); no more than kMostCropCells of them.
+  /// O(n + cells that edges meet + cells): about kMostCropCells of these at the most, or one for every metre
+  /// of land that is next to no metre wide.
   explicit CropGround(const Region& land);
 
   /// The length of the path over the land, in steps of kCropStep_m, m. O(steps), and O(√n) where a step ends
