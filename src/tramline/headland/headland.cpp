@@ -12,6 +12,7 @@
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
 #include "tramline/headland/plain/plain_headland.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
