@@ -164,7 +164,7 @@ std::string tally_rows(const Plan& plan) {
                   tally.pieces, tally.track_length_m, plain_zero(plan.track_tally.overlap_m2),
                   plain_zero(plan.track_tally.uncovered_m2));
   out += fmt::format("turns        {}\n", tally.turns);
-  out += fmt::format("stops        {}\n", tally.stops);
+  out += fmt::format("stops        {}\n", stops(plan));
   out += turning_rows(plan) + route_rows(plan);
   out += obstacle_rows(plan);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);

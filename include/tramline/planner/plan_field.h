@@ -27,9 +27,10 @@ enum class Alternative {
   kNoHeadland,    ///< without headland passes
   kAdjacent,      ///< in order, each track beside the one before
   kRoomForTurns,  ///< with headlands deepened where turns lacked room
+  kMovedLines,    ///< on lines beside those of another plan, or in any direction, of few tracks
 };
 /// "as searched", "along the longest side", "along the length", "undivided", "no headland", "adjacent order",
-/// "room for turns"
+/// "room for turns", "on moved lines"
 const char* name(Alternative alternative);
 
 /// A plan that was compared by its whole route.
@@ -47,7 +48,8 @@ struct ExplainedPlan {
   Plan plan;
   /// For straight tracks only: costs of curved tracks are not split into causes.
   std::optional<Explanation> why;
-  /// With Aim::kWholeCost: all plans whose routes were compared, the plan first, then from the cheapest.
+  /// With Aim::kWholeCost: plans whose routes were compared, the plan first, then from the cheapest. Of those
+  /// of one kind and as many passes whose directions are about the same the cheapest alone.
   std::vector<RouteAlternative> routes{};
 };
 

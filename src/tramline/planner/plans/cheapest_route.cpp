@@ -12,6 +12,7 @@
 #include "tramline/planner/vary/obstacles.h"
 #include "tramline/planner/vary/tracks.h"
 #include "tramline/planner/whole/plan_faults.h"
+#include "tramline/planner/whole/route_alternative.h"
 #include "tramline/planner/whole/route_layouts.h"
 #include "tramline/planner/whole/track_prices.h"
 
@@ -108,6 +109,7 @@ ComparedRoutes compared(RouteComparison& plans, std::optional<OtherKind> other) 
   else
     out.plan = finished(std::move(plans.best_to_finish()), plans.context());
   put_first(out.plan, out.all);
+  out.all = without_alike(out.all);
   return out;
 }
 

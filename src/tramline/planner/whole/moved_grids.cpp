@@ -39,12 +39,13 @@ PlanningProblem problem_of(const LaidOut& laid) {
 }
 
 LaidOut drafted_like(const LaidOut& laid, const SearchTask& task, const PlanningProblem& problem,
-                     Candidate candidate) {
+                     Candidate candidate, int directions) {
   SearchResult result;
   result.best = std::move(candidate);
-  result.directions_tried = laid.trial.found.directions_tried;
+  result.directions_tried = directions;
   PlanDraft draft = drafted(task, result);
-  return {laid.kind, {laid.trial.passes, problem, laid.trial.prepared, std::move(result), std::move(draft)}};
+  return {Alternative::kMovedLines,
+          {laid.trial.passes, problem, laid.trial.prepared, std::move(result), std::move(draft)}};
 }
 
 /// All of the land in one direction on one grid.
@@ -64,10 +65,11 @@ Plan tracks_alone(const SearchTask& task, const Candidate& candidate) {
   return out;
 }
 
-/// Tracks on the lines behind the passes of a layout: the `most` of them of the lowest floors.
+/// Tracks on the lines, of so many directions, behind the passes of a layout: the `most` of them of the
+/// lowest floors.
 std::vector<LaidOut> of_lowest_floors(const LaidOut& laid,
-                                      const std::vector<std::vector<LinedSubfield>>& lines, std::size_t most,
-                                      const SearchContext& context) {
+                                      const std::vector<std::vector<LinedSubfield>>& lines, int directions,
+                                      std::size_t most, const SearchContext& context) {
   const PlanningProblem problem = problem_of(laid);
   const PreparedField& prepared = laid.trial.prepared;
   const SearchTask task(problem, prepared);
@@ -83,7 +85,7 @@ std::vector<LaidOut> of_lowest_floors(const LaidOut& laid,
   std::vector<LaidOut> out;
   for (const std::size_t i : order)
     if (std::isfinite(floors[i]))
-      out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i])));
+      out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i]), directions));
   return out;
 }
 
@@ -99,7 +101,7 @@ std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchC
   for (const double turned_deg : kTurned_deg)
     for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i)
       lines.push_back(moved(lined, i * step_m, Angle::degrees(turned_deg), middle));
-  return of_lowest_floors(laid, lines, most, context);
+  return of_lowest_floors(laid, lines, kTurned_deg.size(), most, context);
 }
 
 std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
@@ -111,7 +113,7 @@ std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most
       lines.push_back(on_one_grid(laid.trial.prepared.ground.plannable,
                                   Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
                                   i * step_m));
-  return of_lowest_floors(laid, lines, most, context);
+  return of_lowest_floors(laid, lines, kDirections, most, context);
 }
 
 }  // namespace tramline

@@ -3,6 +3,25 @@
 #include <algorithm>
 
 namespace tramline {
+namespace {
+
+/// Directions nearer to one another are about the same.
+constexpr double kAboutTheSame_deg = 5;
+
+/// Whether each of these directions is about the same as one of the others.
+bool all_among(const std::vector<Direction>& these, const std::vector<Direction>& others) {
+  return std::ranges::all_of(these, [&](Direction one) {
+    return std::ranges::any_of(
+        others, [&](Direction other) { return angle_between(one, other).degrees() < kAboutTheSame_deg; });
+  });
+}
+
+bool are_alike(const RouteAlternative& a, const RouteAlternative& b) {
+  return a.kind == b.kind && a.headlands == b.headlands && a.all_round == b.all_round &&
+         all_among(a.directions, b.directions) && all_among(b.directions, a.directions);
+}
+
+}  // namespace
 
 const char* name(Alternative alternative) {
   switch (alternative) {
@@ -20,8 +39,18 @@ const char* name(Alternative alternative) {
       return "adjacent order";
     case Alternative::kRoomForTurns:
       return "room for turns";
+    case Alternative::kMovedLines:
+      return "on moved lines";
   }
   return "";
+}
+
+std::vector<RouteAlternative> without_alike(const std::vector<RouteAlternative>& all) {
+  std::vector<RouteAlternative> out;
+  for (const RouteAlternative& one : all)
+    if (std::ranges::none_of(out, [&](const RouteAlternative& other) { return are_alike(one, other); }))
+      out.push_back(one);
+  return out;
 }
 
 RouteAlternative alternative_of(Alternative kind, const Plan& plan) {

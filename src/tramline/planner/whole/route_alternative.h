@@ -6,6 +6,8 @@
 namespace tramline {
 
 /// What is told of a plan that has a route.
+/// Of plans of one kind and as many passes, in directions that are about the same, the first alone.
+std::vector<RouteAlternative> without_alike(const std::vector<RouteAlternative>& all);
 RouteAlternative alternative_of(Alternative kind, const Plan& plan);
 
 }  // namespace tramline

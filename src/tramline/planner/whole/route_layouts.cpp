@@ -41,6 +41,7 @@ Plan layout_along(const PlanningProblem& problem, Direction direction) {
   Plan out;
   out.machine = problem.machine;
   out.subfields.push_back({{problem.field.outer, {}}, direction});
+  out.directions_tried = 1;
   return out;
 }
 
