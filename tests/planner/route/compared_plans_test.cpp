@@ -25,20 +25,20 @@ ComparedPlan three_tracks(double floor, std::optional<double> price) {
 
 std::vector<TrackPiece>& pieces_of(ComparedPlan& plan) { return plan.laid.trial.draft.plan.pieces; }
 
-TEST(SameTracksPriced, AreThoseInAnyOrderAndDirectionButForRounding) {
+TEST(SameTracksPriced, AreThoseInAnyOrderAndDirectionButForCentimetres) {
   const ComparedPlans plans{three_tracks(90, {}), three_tracks(100, 120)};
-  ComparedPlan other = three_tracks(100 + 1e-9, {});
+  ComparedPlan other = three_tracks(100.005, {});
   std::reverse(pieces_of(other).begin(), pieces_of(other).end());
   std::swap(pieces_of(other).front().start, pieces_of(other).front().end);
-  pieces_of(other).back().end.x += 1e-9;
+  pieces_of(other).back().end.x += 0.04;
   EXPECT_EQ(same_tracks_priced(plans, other), 1U);
 }
 
 TEST(SameTracksPriced, AreNoOthers) {
   const ComparedPlans plans{three_tracks(100, {}), three_tracks(100, 120)};
   ComparedPlan moved = three_tracks(100, {}), fewer = three_tracks(100, {}),
-               dearer = three_tracks(100.01, {}), behind = three_tracks(100, {});
-  pieces_of(moved).front().start.x += 0.001;
+               dearer = three_tracks(100.05, {}), behind = three_tracks(100, {});
+  pieces_of(moved).front().start.x += 0.2;
   pieces_of(fewer).pop_back();
   behind.laid.trial.draft.plan.headland.passes.resize(1);
   for (const ComparedPlan* other : {&moved, &fewer, &dearer, &behind})

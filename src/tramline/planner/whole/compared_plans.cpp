@@ -1,7 +1,6 @@
 #include "tramline/planner/whole/compared_plans.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -54,29 +53,22 @@ std::vector<std::size_t> first_distinct(const std::vector<std::size_t>& from, st
   return out;
 }
 
-/// The ends of a piece, whichever way it is driven, to a tenth of a millimetre: the same tracks on land that
-/// was divided and joined again differ by rounding.
-using Ends = std::array<std::pair<long, long>, 2>;
+/// Routes of tracks that lie so near to one another, m, and whose floors differ by so small a share cost
+/// about the same: searches from several sides often end beside one another.
+constexpr double kSameTracks_m = 0.05, kSameFloor = 1e-4;
 
-std::vector<Ends> ends_of_pieces(const Plan& plan) {
-  constexpr double kPerMetre = 1e4;
-  const auto rounded = [](Point p) {
-    return std::pair{std::lround(kPerMetre * p.x), std::lround(kPerMetre * p.y)};
-  };
-  std::vector<Ends> out;
-  for (const TrackPiece& piece : plan.pieces) {
-    Ends ends{rounded(piece.start), rounded(piece.end)};
-    std::ranges::sort(ends);
-    out.push_back(ends);
-  }
-  std::ranges::sort(out);
-  return out;
+bool same_ends(const TrackPiece& a, const TrackPiece& b) {
+  const auto near = [](Point p, Point q) { return distance(p, q) <= kSameTracks_m; };
+  return (near(a.start, b.start) && near(a.end, b.end)) || (near(a.start, b.end) && near(a.end, b.start));
 }
 
-bool same_floor(double a, double b) {
-  constexpr double kRounding = 1e-6;
-  return std::abs(a - b) <= kRounding;
+bool same_tracks(const std::vector<TrackPiece>& a, const std::vector<TrackPiece>& b) {
+  return a.size() == b.size() && std::ranges::all_of(a, [&](const TrackPiece& one) {
+           return std::ranges::any_of(b, [&](const TrackPiece& other) { return same_ends(one, other); });
+         });
 }
+
+bool same_floor(double a, double b) { return std::abs(a - b) <= kSameFloor * std::max(a, b); }
 
 }  // namespace
 
@@ -113,9 +105,8 @@ std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const 
   const auto same = std::find_if(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
     // Floors have the paths of pieces and their overlap in them: with equal ends these are equal too.
     return one.price && same_floor(one.floor, plan.floor) &&
-           one.plan().pieces.size() == plan.plan().pieces.size() &&
            one.plan().headland.passes == plan.plan().headland.passes &&
-           ends_of_pieces(one.plan()) == ends_of_pieces(plan.plan());
+           same_tracks(one.plan().pieces, plan.plan().pieces);
   });
   if (same == plans.end()) return std::nullopt;
   return static_cast<std::size_t>(same - plans.begin());

@@ -39,8 +39,8 @@ double room_lacked_by_others(const ComparedPlans& plans, const ComparedPlan& pla
 /// Whether one of them has these passes and directions.
 bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes);
 
-/// The one that has the same tracks behind the same passes as a plan to be compared, and its price: their
-/// routes would be the same. O(plans, and pieces · log pieces where floors are equal).
+/// The one that has the same tracks behind the same passes as a plan to be compared, to a few centimetres,
+/// and its price: their routes would be about the same. O(plans, and pieces² where floors are about equal).
 std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan);
 
 /// The few of them in different directions that come near the least price, EUR, the cheapest last: worth

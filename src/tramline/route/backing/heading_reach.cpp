@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <utility>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 
@@ -46,7 +47,8 @@ std::size_t after(std::size_t sector) { return (sector + 1) % kHeadingSectors; }
 std::size_t before(std::size_t sector) { return (sector + kHeadingSectors - 1) % kHeadingSectors; }
 
 /// The part of a convex polygon in a half plane (Sutherland and Hodgman 1974).
-Ring cut(const Ring& ring, Point at, Point inwards) {
+Ring cut(Ring ring, Point at, Point inwards) {
+  if (std::ranges::all_of(ring, [&](Point p) { return dot(p - at, inwards) >= 0; })) return ring;
   Ring out;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point from = ring[i], to = ring[(i + 1) % ring.size()];
@@ -177,7 +179,7 @@ HeadingReach::HeadingReach(std::vector<Side> sides, const std::vector<Point>& co
 
 Ring HeadingReach::on_land(Ring places, const std::vector<double>& from_side_m) const {
   for (std::size_t i = 0; i < sides_.size() && !places.empty(); ++i)
-    places = cut(places, sides_[i].at + from_side_m[i] * sides_[i].inwards, sides_[i].inwards);
+    places = cut(std::move(places), sides_[i].at + from_side_m[i] * sides_[i].inwards, sides_[i].inwards);
   return places;
 }
 

@@ -10,6 +10,7 @@
 #include "tramline/route/build/leg_list.h"
 #include "tramline/route/build/track_tour.h"
 #include "tramline/route/build/work_by_part.h"
+#include "tramline/route/connection/squeezed_way.h"
 #include "tramline/route/order/point_grid.h"
 #include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/track_ends.h"
@@ -62,6 +63,7 @@ class RoutePlanner {
         ground_(task.turning_land, task.field, task.machine, task.body),
         roadmap_([this] { return roadmap(); }, ground_),
         connector_(ground_, roadmap_, {task.settings.towing_error_m, counted_stop_s(task)}),
+        squeezed_(connector_, task.field, task.body, [this] { return roadmap(); }),
         least_(task.machine),
         entries_(entries_by_pass(task.headland, task.machine)),
         legs_(task.field, turning_) {
@@ -139,6 +141,7 @@ class RoutePlanner {
   void go(Way way, const SteeredPath& work) {
     if (way.has_room() && (way.backs_out || way.backs_in))
       way = connector_.with_less_backing(way, left_, work);
+    if (!way.has_room() && !left_.empty()) way = squeezed_.along_the_land(std::move(way), left_, work);
     if (!way.path.empty()) legs_.add(way);
     left_ = driven_forward(left_, way, work);
     leaves_part_ = false;
@@ -284,6 +287,7 @@ class RoutePlanner {
   DrivingGround ground_;
   RoadmapOnDemand roadmap_;
   Connector connector_;
+  SqueezedWays squeezed_;
   LeastSeconds least_;
   EntriesByPass entries_;
   LegList legs_;

@@ -1,0 +1,38 @@
+#pragma once
+// Ways where the machine has no room: along the land all the same.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "tramline/route/connection/connector.h"
+
+namespace tramline {
+
+/// Finds ways that leave the land as little as need be. The shortest way between two ends without room for
+/// the machine may lead straight across the land of others; one on which a narrower machine has room keeps to
+/// headlands and corridors, and sticks out in their bends alone. One object serves one thread.
+class SqueezedWays {
+ public:
+  /// `connector`: that of the machine. `body`: the land of the tracks. `roadmap`: lines to follow. Connector,
+  /// field and land outlive the object.
+  SqueezedWays(const Connector& connector, const Field& field, const Region& body,
+               std::function<Roadmap()> roadmap);
+  ~SqueezedWays();
+
+  /// The way of a narrower machine from `left` to `entered` that never backs, where this one leaves the land
+  /// by less on it than on `way`; or else `way`. Machines are narrowed step by step, and a towed one never:
+  /// how far it swings out is not known of its width. Precondition: the way has no room.
+  Way along_the_land(Way way, const SteeredPath& left, const SteeredPath& entered);
+
+ private:
+  struct Narrowed;
+
+  const Connector& connector_;
+  const Field& field_;
+  const Region& body_;
+  std::function<Roadmap()> roadmap_;
+  std::vector<std::unique_ptr<Narrowed>> narrowed_;
+};
+
+}  // namespace tramline

@@ -1,0 +1,107 @@
+// Ways where the machine has no room: along the corridor between two rooms rather than straight across.
+
+#include "tramline/route/connection/squeezed_way.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tramline {
+namespace {
+
+constexpr double kRadius_m = 6, kWidth_m = 6;
+
+SteeredPath straight_on(Point at, double clockwise_from_north, double length_m) {
+  const Pose from{at, Heading::clockwise_from_north(Angle::degrees(clockwise_from_north))};
+  return {arc_from(from, length_m, 0, Gear::kForward)};
+}
+
+// Two rooms of 60 m by 60 m. A corridor 6.6 m wide leads east from the one, at x = 113.4 to 120 m it turns
+// north, and ends in the other.
+Field rooms() {
+  Field field;
+  field.id = "rooms";
+  field.outer = {{0, 0},    {60, 0},   {60, 27},     {120, 27},     {120, 120}, {150, 120}, {150, 180},
+                 {90, 180}, {90, 120}, {113.4, 120}, {113.4, 33.6}, {60, 33.6}, {60, 60},   {0, 60}};
+  return field;
+}
+
+struct Scene {
+  Field field = rooms();
+  Machine machine{};
+  Region tracks{};
+  AllowedLand land{Region{{field.outer, {}}}};
+  DrivingGround ground;
+  RoadmapOnDemand roadmap;
+  Connector connector;
+  SteeredPath left = straight_on({20, 30.3}, 90, 20), entered = straight_on({116.7, 130}, 0, 20);
+
+  Scene(const std::function<Roadmap()>& lines, Machine drives)
+      : machine(std::move(drives)),
+        ground(land, field, machine, tracks),
+        roadmap(lines, ground),
+        connector(ground, roadmap, {}) {}
+};
+
+Machine six_metres_wide() {
+  Machine out;
+  out.width_m = kWidth_m;
+  out.radius_m = kRadius_m;
+  return out;
+}
+
+Roadmap no_lines() { return {{}, 4}; }
+
+/// A line along the middle of the corridor, from the one room into the other.
+Roadmap through_the_corridor() {
+  SteeredPath line = straight_on({45, 30.3}, 90, 116.7 - kRadius_m - 45);
+  line.push_back(arc_from(end_of(line), 0.5 * std::numbers::pi * kRadius_m, 1 / kRadius_m, Gear::kForward));
+  line.push_back(arc_from(end_of(line), 130 - 30.3 - kRadius_m, 0, Gear::kForward));
+  return {{{line}}, 4};
+}
+
+// The axle turns about a place 2.7 m, its radius less half the corridor, west of the inner corner and as much
+// north of it. Half-way round the bar points at the corner and ends 3 m from that place, 2.7 m √2 - 3 m
+// beyond the corner: both sides of the corridor are nearer to it by √2.
+TEST(SqueezedWays, LeaveTheLandInTheBendOfACorridorAlone) {
+  Scene scene(through_the_corridor, six_metres_wide());
+  const Way straight = scene.connector.between(scene.left, scene.entered);
+  ASSERT_GT(straight.missing_m, 15) << "across the land of others";
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
+  const Way way = squeezed.along_the_land(straight, scene.left, scene.entered);
+  const double beyond_corner_m = 2.7 * std::numbers::sqrt2 - 0.5 * kWidth_m;
+  EXPECT_NEAR(way.missing_m, beyond_corner_m / std::numbers::sqrt2, 0.002);
+  EXPECT_GT(length(way.path), length(straight.path));
+  EXPECT_TRUE(
+      std::ranges::all_of(way.path, [](const SteeredStretch& s) { return s.gear == Gear::kForward; }));
+  EXPECT_LT(distance(way.path.front().start.at, end_of(scene.left).at), 1e-6);
+  EXPECT_LT(distance(end_of(way.path).at, scene.entered.front().start.at), 1e-6);
+  EXPECT_NEAR(way.time_s, idle_seconds(way.path, scene.machine.turning), 1e-9);
+}
+
+TEST(SqueezedWays, AreWhatTheyWereWhereNoLineLeadsThere) {
+  Scene scene(no_lines, six_metres_wide());
+  const Way straight = scene.connector.between(scene.left, scene.entered);
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, no_lines);
+  const Way way = squeezed.along_the_land(straight, scene.left, scene.entered);
+  EXPECT_EQ(length(way.path), length(straight.path));
+  EXPECT_EQ(way.missing_m, straight.missing_m);
+}
+
+TEST(SqueezedWays, AreWhatTheyWereWithADrawbar) {
+  Machine towing = six_metres_wide();
+  towing.turning.implement = Coupling::kTowed;
+  towing.turning.drawbar_m = 4;
+  Scene scene(through_the_corridor, towing);
+  const Way straight = scene.connector.between(scene.left, scene.entered);
+  ASSERT_FALSE(straight.has_room());
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
+  const Way way = squeezed.along_the_land(straight, scene.left, scene.entered);
+  EXPECT_EQ(length(way.path), length(straight.path));
+  EXPECT_EQ(way.missing_m, straight.missing_m);
+}
+
+}  // namespace
+}  // namespace tramline
