@@ -1,14 +1,17 @@
 #include "tramline/cost/bound/ring_in_strip.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace tramline {
 namespace {
 
 /// Calls visit(across, along) for both ends of what each edge has between two values of one coordinate.
+/// Precondition: between.from <= between.to.
 template <double Point::*kAcross, double Point::*kAlong, class Visit>
 void each_end_between(const Ring& ring, const Interval& between, Visit visit) {
+  assert(between.from <= between.to);
   Point a = ring.back();
   for (const Point b : ring) {
     const Point from = a;
@@ -28,6 +31,7 @@ void each_end_between(const Ring& ring, const Interval& between, Visit visit) {
 
 Interval extent_along(const Ring& ring, double left, double right) {
   Interval out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  if (left > right) return out;
   each_end_between<&Point::x, &Point::y>(ring, {left, right}, [&](double, double y) {
     out = {std::min(out.from, y), std::max(out.to, y)};
   });

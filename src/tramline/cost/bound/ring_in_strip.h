@@ -8,10 +8,13 @@
 
 namespace tramline {
 
-/// Extent along of the part of a ring between two coordinates across. Empty (from > to) where there is none.
+/// Extent along of the part of a ring between two coordinates across. Empty (from > to) where there is none,
+/// as where left > right: of a strip that may lie in many places nothing is between for sure.
 Interval extent_along(const Ring& ring, double left, double right);
 
-/// The corners of a ring in some rows, and the points where it enters and leaves them.
+/// The corners of a ring in some rows, and the points where it enters and leaves them. Precondition:
+/// rows.from
+/// <= rows.to.
 std::vector<Point> corners_in(const Ring& ring, const Interval& rows);
 
 /// Whether a ring has no bays along the tracks: what a strip holds of its inside is connected then, and is in

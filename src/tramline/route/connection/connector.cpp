@@ -207,9 +207,8 @@ Connector::Ends Connector::ends_of(const std::vector<SteeredPath>& entered, Back
   return out;
 }
 
-std::optional<Connector::WayToOne> Connector::without_or_with_backing(
-    const SteeredPath& left, const std::vector<SteeredPath>& entered) const {
-  const Turning& turning = ground_.machine().turning;
+std::optional<Connector::WayToOne> Connector::without_backing(const SteeredPath& left,
+                                                              const std::vector<SteeredPath>& entered) const {
   Ends straight;
   for (std::size_t i = 0; i < entered.size(); ++i) {
     const WayEnd in = straight_in(entered[i].front().start);
@@ -218,17 +217,32 @@ std::optional<Connector::WayToOne> Connector::without_or_with_backing(
     straight.of.push_back(i);
   }
   const WayEnd begin = straight_out(end_of(left));
-  std::optional<WayToOne> out;
+  if (straight.ends.empty() || !leads_off(begin.pose)) return std::nullopt;
   std::size_t end = 0;
-  if (!straight.ends.empty() && leads_off(begin.pose))
-    if (auto way = searched({begin}, straight.ends, 1, {kAnyCost_s, &end}))
-      out = {straight.of[end], std::move(*way)};
+  auto way = searched({begin}, straight.ends, 1, {kAnyCost_s, &end});
+  if (!way) return std::nullopt;
+  return WayToOne{straight.of[end], std::move(*way)};
+}
+
+std::optional<Way> Connector::without_backing(const SteeredPath& left, const SteeredPath& entered) const {
+  assert(!left.empty() && !entered.empty());
+  if (auto way = turn(left, entered)) return way;
+  auto found = without_backing(left, std::vector<SteeredPath>{entered});
+  if (!found) return std::nullopt;
+  return std::move(found->way);
+}
+
+std::optional<Connector::WayToOne> Connector::without_or_with_backing(
+    const SteeredPath& left, const std::vector<SteeredPath>& entered) const {
+  const Turning& turning = ground_.machine().turning;
+  std::optional<WayToOne> out = without_backing(left, entered);
   const double limit_s = out ? out->way.cost_s : kAnyCost_s;
   if (limit_s <= 2 * turning.gear_change_s + kWorthBacking_s) return out;
   // Where nothing else leads there it may back as far as it likes; of several places to begin another spares
   // backing far into one.
   const Backing out_of = out ? Backing::kNear : Backing::kFar;
   const Ends all = ends_of(entered, entered.size() == 1 ? out_of : Backing::kNear);
+  std::size_t end = 0;
   if (auto way = searched(ways_out(left, out_of), all.ends, 1, {limit_s, &end}))
     out = {all.of[end], std::move(*way)};
   return out;

@@ -31,6 +31,9 @@ class Connector {
   /// before the work, the way that led there, may be backed along too. Preconditions: both have a length.
   Way between(const SteeredPath& left, const SteeredPath& entered) const;
 
+  /// The same without backing, where that has room.
+  std::optional<Way> without_backing(const SteeredPath& left, const SteeredPath& entered) const;
+
   /// The quickest way between poses without detours or reversing, where one has room: a shortest Dubins word
   /// that leads forward, between the straight lines on which the implement is lifted and lowered.
   std::optional<Way> direct(const Pose& left, const Pose& entered) const;
@@ -70,7 +73,10 @@ class Connector {
   };
   enum class Backing { kNear, kFar };
   Ends ends_of(const std::vector<SteeredPath>& entered, Backing backing) const;
-  /// The way without backing where both ends lead off; with a little of it where that takes long, with as
+  /// Where both ends lead off.
+  std::optional<WayToOne> without_backing(const SteeredPath& left,
+                                          const std::vector<SteeredPath>& entered) const;
+  /// The way without backing where there is one; with a little of it where that takes long, with as
   /// much as it takes where there is none.
   std::optional<WayToOne> without_or_with_backing(const SteeredPath& left,
                                                   const std::vector<SteeredPath>& entered) const;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 namespace tramline {
@@ -47,10 +48,10 @@ Way SqueezedWays::along_the_land(Way way, const SteeredPath& left, const Steered
   for (std::size_t i = 0; i < kNarrowed.size(); ++i) {
     if (i == narrowed_.size())
       narrowed_.push_back(std::make_unique<Narrowed>(connector_, field_, body_, roadmap_, kNarrowed[i]));
-    Way found = narrowed_[i]->connector.between(left, entered);
-    if (!found.has_room() || found.backs_out || found.backs_in) continue;
-    found.missing_m = ground.turning().missing_m(found.path, ground.outline());
-    if (found.missing_m > 0 && found.missing_m <= way.missing_m - kLess_m) return found;
+    std::optional<Way> found = narrowed_[i]->connector.without_backing(left, entered);
+    if (!found) continue;
+    found->missing_m = ground.turning().missing_m(found->path, ground.outline());
+    if (found->missing_m > 0 && found->missing_m <= way.missing_m - kLess_m) return *found;
   }
   return way;
 }
