@@ -35,17 +35,20 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
   return out;
 }
 
-/// Straight tracks by the usual prices of tracks, with the headlands that their turns need.
+/// Straight tracks by the usual prices of tracks, with the headlands that their turns need if any follow
+/// them.
 OtherKind by_usual_prices(PlanningProblem problem, const SearchContext& context) {
   const Objective prices = std::exchange(problem.objective, Objective{});
   const TrackShape shape = problem.settings.shape;
   const PlanningProblem straight = with_shape(std::move(problem), TrackShape::kStraight);
-  std::optional<HeadlandTrial> found = best_tracks_with_headlands_for_turns(straight, context);
+  std::optional<HeadlandTrial> found;
+  if (headlands_follow_turns(straight.settings))
+    found = best_tracks_with_headlands_for_turns(straight, context);
   OtherKind out;
   if (found)
     out = *std::move(found);
   else
-    out = planned_without_tracks(straight, context).plan;
+    out = planned_without_tracks(straight, context.without_bound()).plan;
   Plan& plan = plan_of(out);
   plan.objective = prices;
   plan.cost = cost(prices, plan.tally);
