@@ -32,14 +32,14 @@ TEST(ExtentAlong, IsEmptyBesideTheRing) {
 // much of the ring is there.
 TEST(ExtentAlong, IsEmptyBetweenLinesThatHaveCrossed) { EXPECT_TRUE(is_empty(extent_along(gable(), 6, 4))); }
 
+// Of rows 1 m to 6 m both ends of both walls and of both halves of the roof; the floor lies below.
 TEST(CornersIn, AreThoseInTheRowsAndWhereTheRingEntersThem) {
-  for (const Point p : corners_in(gable(), {1, 6})) {
-    EXPECT_GE(p.y, 1);
-    EXPECT_LE(p.y, 6);
-  }
-  const std::vector<Point> all = corners_in(gable(), {6, 7});
-  ASSERT_EQ(all.size(), 4U);
-  for (const Point p : all) EXPECT_DOUBLE_EQ(std::abs(p.x - 5), p.y == 6 ? 2.5 : 1.25);
+  const std::vector<Point> low = corners_in(gable(), {1, 6}), high = corners_in(gable(), {6, 7});
+  ASSERT_EQ(low.size(), 8U);
+  for (const Point p : low)
+    EXPECT_DOUBLE_EQ(std::abs(p.x - 5), p.y <= 4 ? 5 : 2.5) << "at " << p.y << " m on a wall or the roof";
+  ASSERT_EQ(high.size(), 4U);
+  for (const Point p : high) EXPECT_DOUBLE_EQ(std::abs(p.x - 5), p.y == 6 ? 2.5 : 1.25);
 }
 
 }  // namespace
