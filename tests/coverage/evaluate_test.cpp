@@ -17,8 +17,6 @@ namespace {
 
 using namespace testing_logs;
 
-Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
-
 /// Two passes of 4 m eastwards and back over a square of 10 m, with the work on between fixes at its edges:
 /// the first at y = 2, the second at y = 5, so that a strip of 1 m is worked twice, and one of 3 m is missed.
 WorkLog two_passes() {

@@ -27,8 +27,6 @@ namespace {
 
 using namespace testing_logs;
 
-Region square_field(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
-
 WorkLog first(const WorkLog& log, std::size_t fixes) {
   WorkLog out = log;
   out.fixes.resize(fixes);
@@ -77,7 +75,7 @@ void for_random_rounds(int rounds, const std::function<void(const Round&, std::m
 }
 
 TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
-  const Region field = square_field(60);
+  const Region field = square(60);
   std::size_t settled = 0, rebuilt = 0;
   for_random_rounds(60, [&](const Round& round, std::mt19937_64&) {
     const auto& [log, settings] = round;
@@ -117,7 +115,7 @@ TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
 }
 
 TEST(LiveCoverage, DoubtsGroundThatIsWorkedAgainAndAgain) {
-  const Region field = square_field(60);
+  const Region field = square(60);
   EvaluateSettings settings;
   settings.drive.width_m = 5;
   LiveCoverage live(field, settings);
@@ -162,7 +160,7 @@ void expect_same_ground(const Region& tiles, const Region& whole, double toleran
 // However seldom somebody asks, and whatever was worked anew meanwhile: what changed, tile by tile, adds up
 // to the whole of it.
 TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
-  const Region field = square_field(60);
+  const Region field = square(60);
   std::size_t afresh = 0, compared = 0;
   for_random_rounds(40, [&](const Round& round, std::mt19937_64& random) {
     const auto& [log, settings] = round;
@@ -282,7 +280,7 @@ TEST(LiveCoverage, LooksAheadFromTheLastFix) {
 }
 
 TEST(LiveCoverage, DoesNotLookAheadOfAnUnknownWay) {
-  const Region field = square_field(20);
+  const Region field = square(20);
   EXPECT_FALSE(LiveCoverage(field, {}).look_ahead({}));
   EXPECT_FALSE(driven_north(field, 2, 1, std::nan("")).look_ahead({})) << "one fix has no course";
 }

@@ -5,6 +5,8 @@
 
 namespace tramline::testing_logs {
 
+Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
+
 Boom boom(int sections, double width_m) {
   Boom out;
   for (int i = 0; i < sections; ++i)

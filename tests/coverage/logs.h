@@ -3,9 +3,13 @@
 
 #include <vector>
 
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::testing_logs {
+
+/// A field from the origin to the north and east.
+Region square(double side_m);
 
 /// A boom of equal sections, from left to right, about the machine's middle.
 Boom boom(int sections, double width_m);

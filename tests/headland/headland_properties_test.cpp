@@ -43,7 +43,7 @@ void expect_no_faults(const Field& field, const HeadlandTerms& terms, unsigned l
 }
 
 TEST(HeadlandProperties, HoldForRandomFields) {
-  for (int i = 0; i < case_count(60); ++i) {
+  for (int i = 0; i < case_count(30); ++i) {
     const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
     std::mt19937_64 random(seed);
     const Field field = random_field(random, 8);
@@ -76,7 +76,7 @@ int crossings_of(const std::vector<HeadlandPass>& passes) {
 
 TEST(HeadlandProperties, HoldAlongSomeEdges) {
   int passes = 0, crossings = 0;
-  for (int i = 0; i < case_count(40); ++i) {
+  for (int i = 0; i < case_count(20); ++i) {
     const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
     std::mt19937_64 random(seed);
     const Field field = random_field(random, i % 2 == 0 ? 0 : 8);
@@ -107,7 +107,7 @@ TEST(HeadlandProperties, HoldAlongSomeEdges) {
 }
 
 TEST(HeadlandProperties, HoldForScenesFullOfObstacles) {
-  for (int i = 0; i < case_count(60); ++i) {
+  for (int i = 0; i < case_count(30); ++i) {
     const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
     std::mt19937_64 random(seed);
     Scene scene;
@@ -178,7 +178,7 @@ bool any_meet(const std::vector<HeadlandPass>& rings) {
 
 TEST(HeadlandProperties, HoldWhereThereAreNecks) {
   int through = 0;
-  for (int i = 0; i < case_count(60); ++i) {
+  for (int i = 0; i < case_count(30); ++i) {
     const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
     std::mt19937_64 random(seed);
     const double width = std::uniform_real_distribution<double>(1, 12)(random);
@@ -197,7 +197,7 @@ TEST(HeadlandProperties, HoldWhereThereAreNecks) {
     EXPECT_LE(all, apart + 1e-3) << "TRAMLINE_SEED=" << seed;
     through += all < apart - 1 ? 1 : 0;
   }
-  EXPECT_GT(10 * through, case_count(60)) << "the fields have too few narrow passages";
+  EXPECT_GT(10 * through, case_count(30)) << "the fields have too few narrow passages";
 }
 
 }  // namespace

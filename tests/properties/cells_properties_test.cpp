@@ -15,7 +15,7 @@ namespace tramline {
 namespace {
 
 TEST(CellProperties, CellsAndSubfieldsAreTheGroundInEveryEdgeDirection) {
-  for (int i = 0; i < testing::case_count(60); ++i) {
+  for (int i = 0; i < testing::case_count(30); ++i) {
     testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 6);
     const Region ground = body_of(field);

@@ -174,7 +174,7 @@ TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
 // that back into it, or curved ones moved aside. What either works for the other is worked once.
 TEST(CurvedPiecesProperties, SubfieldsWorkGroundForOneAnother) {
   int shared = 0;
-  for_random_scenes(24, [&](const Scene& scene, std::mt19937_64& random) {
+  for_random_scenes(12, [&](const Scene& scene, std::mt19937_64& random) {
     const double width = scene.limits.width_m;
     const Box box = bounds(scene.body);
     const Point at = box.centre();

@@ -86,7 +86,7 @@ void look_at(const SearchTask& task, Seen& seen) {
 
 TEST(OutlookProperties, NoCandidateCostsLessThanItsOutlookAndTheCheapestIsFound) {
   Seen seen;
-  const int cases = testing::case_count(200);
+  const int cases = testing::case_count(100);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
     try {

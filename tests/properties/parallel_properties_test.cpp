@@ -121,7 +121,7 @@ TEST(ParallelProperties, KeepTheirDistanceAndTheirRadius) {
 
 // Swaths of tracks in a row touch and do not overlap, neither one another nor themselves.
 TEST(ParallelProperties, WorkNothingTwice) {
-  for_random_scenes(12, false, 0, [](const Scene& scene, std::mt19937_64& random) {
+  for_random_scenes(6, false, 0, [](const Scene& scene, std::mt19937_64& random) {
     const int first = any_of(random, -12, 8);
     Region all;
     double sum = 0;
@@ -179,7 +179,7 @@ Region near(const Region& region, double distance_m) {
 // is the rule, and polygon booleans with fine chords follow it on a road of their own.
 TEST(ParallelProperties, RunWherePolygonBooleansPutThem) {
   int compared = 0;
-  for_random_scenes(5, true, 60, [&](const Scene& scene, std::mt19937_64& random) {
+  for_random_scenes(3, true, 60, [&](const Scene& scene, std::mt19937_64& random) {
     const double rho = scene.limits.least_radius_m(), t = (any_of(random, 0, 5) + 0.5) * 2 * rho;
     const Box box = kWindow.grown(50);
     const Region plane{

@@ -104,13 +104,13 @@ TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
 }
 
 /// The search along curves takes many times as long.
-TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(20, TrackShape::kCurved); }
+TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(10, TrackShape::kCurved); }
 
 /// The other road to what each swath overlaps: what polygon booleans leave of it after those before it. Along
 /// the first edges of the field, by parallel tracks with detours and by Zhou's own construction.
 TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
   int detours = 0, kinked = 0;
-  for_random_fields(10, [&](const Field& field, Request request) {
+  for_random_fields(5, [&](const Field& field, Request request) {
     bool any = false;
     request.machine.width_m = 7;  // overlays of many arcs take long
     for (const TrackConstruction tracks : {TrackConstruction::kParallel, TrackConstruction::kPaper}) {
@@ -152,7 +152,7 @@ TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
 /// Zhou's L·w − O = |F_b|, with tracks that begin at the envelope on either side, by strips and by the
 /// paper's own construction along a straight line with its plain headlands.
 TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
-  for_random_fields(40, [&](Field field, Request request) {
+  for_random_fields(20, [&](Field field, Request request) {
     std::erase_if(field.obstacles, [](const Obstacle& o) { return o.kind == ObstacleKind::kPassable; });
     bool any = false;
     for (const TrackConstruction tracks : {TrackConstruction::kParallel, TrackConstruction::kPaper}) {
@@ -225,7 +225,7 @@ TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
 }
 
 TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
-  for_random_fields(25, [](const Field& field, const Request& request) {
+  for_random_fields(12, [](const Field& field, const Request& request) {
     const auto one = try_plan(field, request, 1), four = try_plan(field, request, 4);
     EXPECT_EQ(one.has_value(), four.has_value());
     if (!one || !four) return false;
@@ -264,7 +264,7 @@ TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
 /// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
 /// road on the areas is the same.
 TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
-  for_random_fields(25, [](const Field& field, const Request& request) {
+  for_random_fields(12, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
     const Polygon waterway{

@@ -94,7 +94,7 @@ class RepairProperties : public ::testing::Test {
 };
 
 TEST_F(RepairProperties, CheckHoldsAndTheIdentityToo) {
-  for_random_repairs(40, [](const Missed& missed, const RepairPlan& repair, double) {
+  for_random_repairs(20, [](const Missed& missed, const RepairPlan& repair, double) {
     const check::Verdict verdict = check::verify(repair.plan);
     for (const check::Violation& violation : verdict.violations)
       ADD_FAILURE() << name(violation.rule) << ": " << violation.what;
@@ -104,7 +104,7 @@ TEST_F(RepairProperties, CheckHoldsAndTheIdentityToo) {
 }
 
 TEST_F(RepairProperties, EveryGapIsTakenOrListed) {
-  for_random_repairs(40, [](const Missed& missed, const RepairPlan& repair, double) {
+  for_random_repairs(20, [](const Missed& missed, const RepairPlan& repair, double) {
     EXPECT_EQ(repair.gaps, static_cast<int>(missed.gaps.size()));
     const std::size_t left = repair.ignored.size() + repair.unreachable.size() + repair.not_worth.size();
     EXPECT_EQ(repair.worked_gaps + static_cast<int>(left), repair.gaps);
@@ -114,7 +114,7 @@ TEST_F(RepairProperties, EveryGapIsTakenOrListed) {
 // Of all missed ground, what no swath covers is found by polygons; with the passes it costs less than all of
 // it left as it is, and leaving out any piece with those of its line does not cost less.
 TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
-  for_random_repairs(40, [](const Missed& missed, const RepairPlan& repair, double width_m) {
+  for_random_repairs(20, [](const Missed& missed, const RepairPlan& repair, double width_m) {
     const Objective& prices = repair.plan.objective;
     const auto cost_of = [&](const std::vector<TrackPiece>& pieces) {
       Region swaths;
@@ -145,7 +145,7 @@ TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
 
 // What is said of a gap that is left is a reason to leave it.
 TEST_F(RepairProperties, NoGapIsLeftThatIsSaidToBeWorthAPass) {
-  for_random_repairs(40, [](const Missed&, const RepairPlan& repair, double) {
+  for_random_repairs(20, [](const Missed&, const RepairPlan& repair, double) {
     for (const UnworkedGap& gap : repair.not_worth) {
       double worked_m2 = 0, costs = 0, wins = 0;
       ASSERT_EQ(std::sscanf(gap.why.c_str(),

@@ -90,7 +90,7 @@ ordered_json in_full(const App& app, const KeptPlan& kept, const OpenedPlan& ope
 }
 
 /// By how much shapes may deviate, m; 0 where the request does not say.
-double detail_in(const Call& call) {
+double layer_detail_in(const Call& call) {
   const double detail_m = call.query_number("detail_m");
   if (std::isnan(detail_m)) return 0;
   if (detail_m < 0 || detail_m > kCoarsest_m)
@@ -101,7 +101,7 @@ double detail_in(const Call& call) {
 std::string layer_of(App& app, const Call& call) {
   const std::string& layer = call.part("layer");
   const KeptPlan kept = app.plans.get(call.part("plan"));
-  const double detail_m = detail_in(call);
+  const double detail_m = layer_detail_in(call);
   if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
   if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
   return while_kept([&] { app.plans.get(kept.id); },

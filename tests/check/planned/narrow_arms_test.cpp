@@ -89,7 +89,7 @@ Field random_c(std::mt19937_64& random) {
 
 TEST(NarrowArms, HoldOnRandomFields) {
   int planned = 0;
-  const int cases = case_count(20);
+  const int cases = case_count(10);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
     const Field field = random_c(random);

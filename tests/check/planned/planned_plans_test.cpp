@@ -34,7 +34,7 @@ PlanSettings random_settings(std::mt19937_64& random) {
 
 TEST(PlannedPlans, HoldOnRandomFields) {
   int planned = 0;
-  const int cases = case_count(40);
+  const int cases = case_count(20);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 4);
@@ -67,7 +67,7 @@ std::vector<int> random_headland_edges(std::mt19937_64& random, std::size_t edge
 
 TEST(PlannedPlans, HoldWithHeadlandsAlongSomeEdges) {
   int planned = 0;
-  const int cases = case_count(20);
+  const int cases = case_count(10);
   for (int i = 0; i < cases; ++i) {
     testing::SeededRandom random(i);
     const Field field = testing::random_field(random, i % 2 == 0 ? 0 : 4);

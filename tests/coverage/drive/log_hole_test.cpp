@@ -16,7 +16,7 @@ namespace {
 using namespace testing_logs;
 
 /// 60 m by 10 m.
-Region field() { return {{{{0, 0}, {60, 0}, {60, 10}, {0, 10}}, {}}}; }
+Region strip_of_land() { return {{{{0, 0}, {60, 0}, {60, 10}, {0, 10}}, {}}}; }
 
 /// Eastwards along y = 5 at 2 m/s, one fix a second: from x = 0 to 30, then from `again_m` after so many
 /// seconds to x = 60. Heading 90 where `headings` says so.
@@ -32,7 +32,7 @@ WorkLog with_hole(double again_m, double seconds, bool headings = true, double h
 
 void expect_whole(const Coverage& done) {
   EXPECT_NEAR(done.areas.covered_inside_m2 + done.areas.missed_m2 + done.areas.not_recorded_m2,
-              area(done.field.empty() ? field() : done.field), 1e-6);
+              area(done.field.empty() ? strip_of_land() : done.field), 1e-6);
   EXPECT_NEAR(area(done.missed), done.areas.missed_m2, 1e-3);
   EXPECT_NEAR(area(done.not_recorded), done.areas.not_recorded_m2, 1e-3);
   EXPECT_NEAR(done.areas.worked_times_m2[0], done.areas.missed_m2 + done.areas.not_recorded_m2, 1e-6);
@@ -41,7 +41,7 @@ void expect_whole(const Coverage& done) {
 // 20 m lost in 11 s: 20 · 4 m² are not recorded, 40 · 4 m² covered, and the rest of the field is missed.
 TEST(LogHole, TheStraightStripIsNotRecordedAndNotMissed) {
   for (const bool headings : {true, false}) {
-    const Coverage done = evaluate(with_hole(50, 11, headings), field(), {}, {});
+    const Coverage done = evaluate(with_hole(50, 11, headings), strip_of_land(), {}, {});
     EXPECT_NEAR(done.areas.not_recorded_m2, 80, 1e-6);
     EXPECT_NEAR(done.areas.covered_inside_m2, 160, 1e-6);
     EXPECT_NEAR(done.areas.missed_m2, 600 - 240, 1e-6);
@@ -52,7 +52,7 @@ TEST(LogHole, TheStraightStripIsNotRecordedAndNotMissed) {
 
 // 16 m in 8 s is no gap in time, but too far to be joined.
 TEST(LogHole, AJumpIsAHoleToo) {
-  EXPECT_NEAR(evaluate(with_hole(46, 8), field(), {}, {}).areas.not_recorded_m2, 64, 1e-6);
+  EXPECT_NEAR(evaluate(with_hole(46, 8), strip_of_land(), {}, {}).areas.not_recorded_m2, 64, 1e-6);
 }
 
 TEST(LogHole, WithoutAFieldTheStripCountsWhereverItLies) {
@@ -63,28 +63,28 @@ TEST(LogHole, WithoutAFieldTheStripCountsWhereverItLies) {
 
 // In half an hour at 2 m/s a machine drives 3600 m: it did something else besides, but it went straight on.
 TEST(LogHole, AMachineThatStoodMeanwhileWentStraightOnAllTheSame) {
-  EXPECT_NEAR(evaluate(with_hole(50, 1800), field(), {}, {}).areas.not_recorded_m2, 80, 1e-6);
+  EXPECT_NEAR(evaluate(with_hole(50, 1800), strip_of_land(), {}, {}).areas.not_recorded_m2, 80, 1e-6);
 }
 
 // Twice its usual 2 m/s is the most that is believed.
 TEST(LogHole, FasterThanTheMachineDrivesIsNotBelieved) {
-  EXPECT_EQ(evaluate(with_hole(50, 4.5), field(), {}, {}).areas.not_recorded_m2, 0);
-  EXPECT_GT(evaluate(with_hole(50, 5.5), field(), {}, {}).areas.not_recorded_m2, 79);
+  EXPECT_EQ(evaluate(with_hole(50, 4.5), strip_of_land(), {}, {}).areas.not_recorded_m2, 0);
+  EXPECT_GT(evaluate(with_hole(50, 5.5), strip_of_land(), {}, {}).areas.not_recorded_m2, 79);
 }
 
 // Behind the hole it drives north: what it did meanwhile is not known, unless there was time for nothing
 // else.
 TEST(LogHole, WhereItTurnedMeanwhileOnlyTimeDecides) {
-  EXPECT_EQ(evaluate(with_hole(50, 60, true, 0), field(), {}, {}).areas.not_recorded_m2, 0);
-  EXPECT_GT(evaluate(with_hole(50, 11, true, 0), field(), {}, {}).areas.not_recorded_m2, 60);
+  EXPECT_EQ(evaluate(with_hole(50, 60, true, 0), strip_of_land(), {}, {}).areas.not_recorded_m2, 0);
+  EXPECT_GT(evaluate(with_hole(50, 11, true, 0), strip_of_land(), {}, {}).areas.not_recorded_m2, 60);
 }
 
 TEST(LogHole, NothingIsLostWhereTheWorkWasOffOnEitherSide) {
   WorkLog before = with_hole(50, 11), after = before;
   before.fixes[15] = idle(before.fixes[15]);
   after.fixes[16] = idle(after.fixes[16]);
-  EXPECT_EQ(evaluate(before, field(), {}, {}).areas.not_recorded_m2, 0);
-  EXPECT_EQ(evaluate(after, field(), {}, {}).areas.not_recorded_m2, 0);
+  EXPECT_EQ(evaluate(before, strip_of_land(), {}, {}).areas.not_recorded_m2, 0);
+  EXPECT_EQ(evaluate(after, strip_of_land(), {}, {}).areas.not_recorded_m2, 0);
 }
 
 // The left half works before, all of it behind: of the strip the left half counts.
@@ -93,12 +93,12 @@ TEST(LogHole, OnlyWhatWorksOnBothSidesCounts) {
   half.booms = {boom(2, 4)};
   for (std::size_t i = 0; i < half.fixes.size(); ++i)
     half.fixes[i] = with_sections(half.fixes[i], i < 16 ? "10" : "11");
-  EXPECT_NEAR(evaluate(half, field(), {}, {}).areas.not_recorded_m2, 40, 1e-6);
+  EXPECT_NEAR(evaluate(half, strip_of_land(), {}, {}).areas.not_recorded_m2, 40, 1e-6);
 }
 
 // 5 m of the strip are worked before it is found lost, and 5 m after that.
 TEST(LogHole, WorkedGroundIsCoveredWhicheverCameFirst) {
-  TileCoverage engine(field(), {});
+  TileCoverage engine(strip_of_land(), {});
   const auto step = [](double from, double to, int run) {
     return WorkedStep{{{Point{from, 7}, Point{from, 3}, Point{to, 3}, Point{to, 7}}}, run, to - from, 4, 0};
   };
@@ -116,7 +116,7 @@ TEST(LogHole, WorkedGroundIsCoveredWhicheverCameFirst) {
 TEST(LogHole, MeshesKnowItToo) {
   EvaluateSettings meshes;
   meshes.engine = EngineKind::kMesh;
-  const Coverage done = evaluate(with_hole(50, 11), field(), meshes, {});
+  const Coverage done = evaluate(with_hole(50, 11), strip_of_land(), meshes, {});
   EXPECT_NEAR(done.areas.not_recorded_m2, 80, 0.5);
   EXPECT_NEAR(done.areas.missed_m2, 360, 1);
   EXPECT_NEAR(done.areas.covered_inside_m2 + done.areas.missed_m2 + done.areas.not_recorded_m2, 600, 0.5);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coverage/logs.h"
 #include "support/refusals.h"
 #include "tramline/coverage/dose/dose.h"
 #include "tramline/coverage/doubts.h"
@@ -16,9 +17,10 @@
 namespace tramline::coverage {
 namespace {
 
+using testing_logs::square;
 using testing_support::mentions;
 
-Polygon box(double x, double y, double width, double height) {
+Polygon rectangle_at(double x, double y, double width, double height) {
   return {{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, {}};
 }
 
@@ -39,13 +41,11 @@ WorkLog shapes(std::vector<Polygon> ground, double apart_s) {
   return out;
 }
 
-Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
-
 /// Ten pieces of 3 by 10 m, side by side eastwards, and a way back 2 m further north.
 WorkLog there_and_back() {
   std::vector<Polygon> ground;
-  for (int i = 0; i < 10; ++i) ground.push_back(box(3 * i, 0, 3, 10));
-  for (int i = 9; i >= 0; --i) ground.push_back(box(3 * i, 8, 3, 10));
+  for (int i = 0; i < 10; ++i) ground.push_back(rectangle_at(3 * i, 0, 3, 10));
+  for (int i = 9; i >= 0; --i) ground.push_back(rectangle_at(3 * i, 8, 3, 10));
   return shapes(std::move(ground), 1);
 }
 
@@ -63,13 +63,13 @@ TEST(ShapeDrive, FiguresOfPolygonsByHand) {
 }
 
 TEST(ShapeDrive, RunsEndWhereTimeOrPlaceJump) {
-  EXPECT_EQ(evaluate(shapes({box(0, 0, 3, 10), box(3, 0, 3, 10)}, 11), {}, {}, {}).runs, 2);
-  EXPECT_EQ(evaluate(shapes({box(0, 0, 3, 10), box(17, 0, 3, 10)}, 1), {}, {}, {}).runs, 1);
-  EXPECT_EQ(evaluate(shapes({box(0, 0, 3, 10), box(19, 0, 3, 10)}, 1), {}, {}, {}).runs, 2);
+  EXPECT_EQ(evaluate(shapes({rectangle_at(0, 0, 3, 10), rectangle_at(3, 0, 3, 10)}, 11), {}, {}, {}).runs, 2);
+  EXPECT_EQ(evaluate(shapes({rectangle_at(0, 0, 3, 10), rectangle_at(17, 0, 3, 10)}, 1), {}, {}, {}).runs, 1);
+  EXPECT_EQ(evaluate(shapes({rectangle_at(0, 0, 3, 10), rectangle_at(19, 0, 3, 10)}, 1), {}, {}, {}).runs, 2);
 }
 
 TEST(ShapeDrive, GroundWithHolesAndGroundThatCrossesItself) {
-  Polygon ring = box(0, 0, 10, 10);
+  Polygon ring = rectangle_at(0, 0, 10, 10);
   ring.holes.push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}});
   EXPECT_NEAR(evaluate(shapes({ring}, 1), {}, {}, {}).areas.covered_m2, 96, 1e-6);
   // Two triangles of 25 m² that touch, with a corner more than a quad has.
@@ -80,7 +80,7 @@ TEST(ShapeDrive, GroundWithHolesAndGroundThatCrossesItself) {
 }
 
 TEST(ShapeDrive, WhatDidNotWorkWorksNothing) {
-  WorkLog log = shapes({box(0, 0, 3, 10), box(3, 0, 3, 10)}, 1);
+  WorkLog log = shapes({rectangle_at(0, 0, 3, 10), rectangle_at(3, 0, 3, 10)}, 1);
   log.fixes[0].work = WorkState::kOn;
   log.fixes[1].work = WorkState::kOff;
   EXPECT_NEAR(evaluate(log, {}, {}, {}).areas.covered_m2, 30, 1e-6);

@@ -11,7 +11,7 @@ namespace tramline::check {
 namespace {
 
 /// The line at a position where it begins or ends is evaluated this near to it, m.
-constexpr double kBeside_m = 2 * kLengthTolerance_m;
+constexpr double kSameStretch_m = 2 * kLengthTolerance_m;
 /// The first step from an edge to where the line is certainly beside it, m; further steps are longer.
 constexpr double kFirstStep_m = 1e-6;
 constexpr double kSharpestCorner = 2 * std::numbers::pi / 3;
@@ -140,7 +140,7 @@ std::optional<ParallelLine::Corner> ParallelLine::corner_from(double edge_m) con
   if (turn < -kSameHeading || turn > kSharpestCorner + kSameHeading) return std::nullopt;
   // A side that also has room for the disc before a narrow stretch is not entered behind that stretch.
   const Stretch entered = stretch(*other, Way::kBackwards);
-  if (entered.last_wide_m && *entered.last_wide_m < *other - kBeside_m) return std::nullopt;
+  if (entered.last_wide_m && *entered.last_wide_m < *other - kSameStretch_m) return std::nullopt;
   const Point from = reference_.beside(edge_m, off_m_), to = reference_.beside(*other, off_m_);
   if (distance(from, to) > kJoint_m) out.arc = {{from, to, -1 / least_radius_m_}};
   return out;
@@ -174,8 +174,8 @@ TrackPosition ParallelLine::beside(double along_m) const {
 /// Rounding must not put a position beyond the end of the stretch.
 TrackPosition ParallelLine::settled(const Foot& foot) const {
   if (fits(foot.along_m)) return beside(foot.along_m);
-  const double low_m = std::max(0.0, foot.along_m - kBeside_m);
-  const double high_m = std::min(reference_.length_m(), foot.along_m + kBeside_m);
+  const double low_m = std::max(0.0, foot.along_m - kSameStretch_m);
+  const double high_m = std::min(reference_.length_m(), foot.along_m + kSameStretch_m);
   const auto wide = [this](double s) { return fits(s); };
   if (fits(low_m)) return beside(last_that(wide, low_m, foot.along_m));
   if (fits(high_m)) return beside(last_that(wide, high_m, foot.along_m));
@@ -230,15 +230,15 @@ Walk ParallelLine::walk(const TrackPosition& from, const TrackPosition& to) cons
     const auto corner = next.last_wide_m ? corner_from(*next.last_wide_m) : std::nullopt;
     const double leave_m = corner ? corner->from_m : next.end_m;
     const bool due = came_back || !comes_back;
-    if (due && !to.in_corner && to.along_m >= at_m - kBeside_m && to.along_m <= leave_m + kBeside_m &&
-        !in_corner) {
+    if (due && !to.in_corner && to.along_m >= at_m - kSameStretch_m &&
+        to.along_m <= leave_m + kSameStretch_m && !in_corner) {
       reference_.append_beside(at_m, to.along_m, off_m_, out.path);
       out.end = WalkEnd::kReached;
       return out;
     }
     reference_.append_beside(at_m, leave_m, off_m_, out.path);
     if (!corner) return out;
-    const bool ends_here = due && to.in_corner && std::abs(to.along_m - corner->from_m) <= kBeside_m;
+    const bool ends_here = due && to.in_corner && std::abs(to.along_m - corner->from_m) <= kSameStretch_m;
     if (!corner->arc.empty()) {
       const PathSegment& arc = corner->arc.front();
       const Point begin = in_corner && round_m > 0 ? from.at : arc.from, end = ends_here ? to.at : arc.to;
@@ -253,7 +253,7 @@ Walk ParallelLine::walk(const TrackPosition& from, const TrackPosition& to) cons
       came_back = true;
     }
     at_m = corner->to_m;
-    const bool beyond = to.along_m < at_m - kBeside_m && (came_back || !comes_back);
+    const bool beyond = to.along_m < at_m - kSameStretch_m && (came_back || !comes_back);
     if (beyond || (came_back && !comes_back)) {
       out.end = WalkEnd::kPassed;
       return out;

@@ -81,8 +81,8 @@ std::pair<double, Path> entered(const Path& path, const tramline::Pose& axle, do
   double from_m = std::fmod(at_m - ahead_m, whole_m);
   if (from_m < 0) from_m += whole_m;
   // Ends of a segment stay whole: a stretch of a rounding error would be a sliver.
-  constexpr double kSameEnd_m = 1e-6;
-  if (from_m < kSameEnd_m || from_m > whole_m - kSameEnd_m) return {least, path};
+  constexpr double kNoLength_m = 1e-6;
+  if (from_m < kNoLength_m || from_m > whole_m - kNoLength_m) return {least, path};
   Path out = path_between(path, from_m, whole_m);
   const Path rest = path_between(path, 0, from_m);
   out.insert(out.end(), rest.begin(), rest.end());

@@ -41,9 +41,9 @@ std::vector<Pose> poses(const PathSegment& segment, double width_m) {
     const double sense = turn > 0 ? 1 : -1;
     const double from = std::atan2(spoke.y, spoke.x);
     // Corners nearer to the ends than this share of a step would make slivers.
-    constexpr double kNear = 1e-3;
-    const double first = sense > 0 ? std::ceil(from / step + kNear) : std::floor(from / step - kNear);
-    for (double k = first; sense * (k * step - from) < std::abs(turn) - kNear * step; k += sense) {
+    constexpr double kSliver = 1e-3;
+    const double first = sense > 0 ? std::ceil(from / step + kSliver) : std::floor(from / step - kSliver);
+    for (double k = first; sense * (k * step - from) < std::abs(turn) - kSliver * step; k += sense) {
       const double angle = k * step - from;
       out.push_back({middle + turned(spoke, angle), turned(start, angle)});
     }

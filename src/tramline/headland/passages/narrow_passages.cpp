@@ -14,7 +14,7 @@ namespace tramline {
 namespace {
 
 /// The part of a centre line on which a piece of a ring lies.
-struct Run {
+struct NarrowRun {
   std::size_t centre_line = 0;
   double from = 0;
   double to = 0;
@@ -45,8 +45,8 @@ double metres(const CentreLine& centre_line, double extent) {
 double slack_m(double radius_m) { return kSamePlace_m + kNoCorner_rad * radius_m; }
 
 /// The part of the centre line on which the piece lies; nullopt where it is not on it.
-std::optional<Run> run_on(const CentreLine& centre_line, std::size_t index, const OffsetPiece& piece,
-                          double radius_m) {
+std::optional<NarrowRun> run_on(const CentreLine& centre_line, std::size_t index, const OffsetPiece& piece,
+                                double radius_m) {
   const OffsetCurve& curve = centre_line.curve;
   if (curve.straight() != piece.segment.straight() || centre_line.offset_boundary != piece.offset_boundary)
     return std::nullopt;
@@ -63,10 +63,10 @@ std::optional<Run> run_on(const CentreLine& centre_line, std::size_t index, cons
   }
   if (dot(heading_at(curve, piece.segment.from), piece.from_heading) < 0) return std::nullopt;
   const auto within = [&](Point p) { return std::clamp(position_on(curve, p), 0.0, curve.extent); };
-  return Run{index, within(piece.segment.from), within(piece.segment.to)};
+  return NarrowRun{index, within(piece.segment.from), within(piece.segment.to)};
 }
 
-bool run_on_to(const std::vector<CentreLine>& centre_lines, const Run& before, const Run& after,
+bool run_on_to(const std::vector<CentreLine>& centre_lines, const NarrowRun& before, const NarrowRun& after,
                double radius_m) {
   const CentreLine &a = centre_lines[before.centre_line], &b = centre_lines[after.centre_line];
   if (before.centre_line == after.centre_line)
@@ -78,10 +78,10 @@ bool run_on_to(const std::vector<CentreLine>& centre_lines, const Run& before, c
 /// Splits a ring into stretches. False where it is not on the centre lines.
 bool append_stretches(const OffsetRing& ring, const std::vector<CentreLine>& centre_lines, double radius_m,
                       std::vector<Stretch>& out) {
-  std::vector<Run> runs;
+  std::vector<NarrowRun> runs;
   std::vector<const OffsetPiece*> pieces;
   for (const OffsetPiece& piece : ring) {
-    std::optional<Run> run;
+    std::optional<NarrowRun> run;
     for (std::size_t i = 0; i < centre_lines.size() && !run; ++i)
       run = run_on(centre_lines[i], i, piece, radius_m);
     if (!run && length(piece.segment) > kOffCentreLines_m) return false;

@@ -6,6 +6,10 @@
 
 namespace tramline::io {
 
+bool is_small_part(const DeviceElement& element) {
+  return element.type == element_kind::kSection || element.type == element_kind::kUnit;
+}
+
 DeviceTree::DeviceTree(std::vector<DeviceElement> elements)
     : elements_(std::move(elements)), parents_(elements_.size()), children_(elements_.size()) {
   std::map<std::pair<std::string, long long>, std::size_t> by_object;

@@ -16,6 +16,9 @@ inline constexpr unsigned kDevice = 1, kFunction = 2, kBin = 3, kSection = 4, kU
                           kNavigation = 7;
 }
 
+/// A section or a unit of one: a part of the working width.
+bool is_small_part(const DeviceElement& element);
+
 /// Elements by their indices in a list, with their parents and children. An element whose parent is missing
 /// is a root; so is one element of each cycle of parents, and any element nested deeper than in any real
 /// machine.

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double kTouching_m = 1e-3;
 
-bool is_small_part(const DeviceElement& element) {
-  return element.type == element_kind::kSection || element.type == element_kind::kUnit;
-}
-
 }  // namespace
 
 LoggedMachine::LoggedMachine(const TimeLogHeader& header, const std::vector<DeviceElement>& elements)

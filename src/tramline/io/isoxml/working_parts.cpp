@@ -47,10 +47,6 @@ bool works_ground(const DeviceElement& element) {
          element.type != element_kind::kNavigation;
 }
 
-bool is_small_part(const DeviceElement& element) {
-  return element.type == element_kind::kSection || element.type == element_kind::kUnit;
-}
-
 class PartsOfTree {
  public:
   PartsOfTree(const DeviceTree& tree, const ElementValues& values) : tree_(tree), values_(values) {}

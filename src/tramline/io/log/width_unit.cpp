@@ -19,9 +19,9 @@ struct LengthUnit {
   std::string_view name;
   double metres;
 };
-constexpr std::array kUnits = {LengthUnit{"metres", 1}, LengthUnit{"feet", 0.3048},
-                               LengthUnit{"inches", 0.0254}, LengthUnit{"centimetres", 0.01},
-                               LengthUnit{"millimetres", 0.001}};
+constexpr std::array kLengthUnits = {LengthUnit{"metres", 1}, LengthUnit{"feet", 0.3048},
+                                     LengthUnit{"inches", 0.0254}, LengthUnit{"centimetres", 0.01},
+                                     LengthUnit{"millimetres", 0.001}};
 constexpr double kFits = 0.05;
 constexpr double kShortest_m = 0.5, kLongest_m = 30;
 constexpr std::size_t kFewestSteps = 20;
@@ -54,7 +54,7 @@ std::optional<LengthUnit> unit_of(const WorkLog& log, std::span<const RecordedDi
   if (metres_each.size() < kFewestSteps) return std::nullopt;
   const auto middle = metres_each.begin() + std::ssize(metres_each) / 2;
   std::nth_element(metres_each.begin(), middle, metres_each.end());
-  for (const LengthUnit& unit : kUnits)
+  for (const LengthUnit& unit : kLengthUnits)
     if (std::abs(*middle / unit.metres - 1) < kFits) return unit;
   return std::nullopt;
 }

@@ -13,21 +13,18 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/gdal_drivers.h"
 #include "tramline/io/vector/gdal_messages.h"
+#include "tramline/io/vector/vsi_file.h"
 
 namespace tramline::io {
 namespace {
 
 constexpr int kDeepest = 3;
 
-using File = std::unique_ptr<VSILFILE, int (*)(VSILFILE*)>;
-
-File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VSIFCloseL}; }
-
 enum class Packing { kNone, kZip, kGzip };
 
 /// By its first bytes: names say what they like.
 Packing packing_of(const std::string& name) {
-  const File file = opened(name);
+  const VsiFile file = opened_to_read(name);
   std::array<unsigned char, 4> start{};
   if (!file || VSIFReadL(start.data(), 1, start.size(), file.get()) < start.size()) return Packing::kNone;
   if (start[0] == 'P' && start[1] == 'K' && (start[2] == 3 || start[2] == 5)) return Packing::kZip;
@@ -58,7 +55,7 @@ class Unpacking {
 
  private:
   void read(const std::string& name) {
-    const File file = opened(name);
+    const VsiFile file = opened_to_read(name);
     if (!file) throw refused("cannot be read as an archive");
     std::vector<char> buffer(std::size_t{1} << 16);
     for (std::size_t got = 0; (got = VSIFReadL(buffer.data(), 1, buffer.size(), file.get())) > 0;) {

@@ -19,11 +19,10 @@
 #include "tramline/io/vector/json_size.h"
 #include "tramline/io/vector/locate_dataset.h"
 #include "tramline/io/vector/lower_case.h"
+#include "tramline/io/vector/vsi_file.h"
 
 namespace tramline::io {
 namespace {
-
-using File = std::unique_ptr<VSILFILE, int (*)(VSILFILE*)>;
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 /// What stands before the first element of XML, and the head of a MapInfo table.
@@ -34,8 +33,6 @@ constexpr std::size_t kMostKml = std::size_t{48} << 20;
 /// Kept whole, in ten times the memory: GDAL's own limit, OGR_GEOJSON_MAX_OBJ_SIZE, is for the features of
 /// collections only.
 constexpr std::size_t kMostJsonValue = std::size_t{64} << 20;
-
-File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VSIFCloseL}; }
 
 std::size_t size_of(const std::string& name) {
   VSIStatBufL status;
@@ -67,7 +64,7 @@ class FileBuffer final : public std::streambuf {
 /// The first bytes, letters only: without the zeros that UTF-16 and UTF-32 have between them, a mark of the
 /// byte order, and white space.
 std::string head_of(const std::string& name) {
-  const File file = opened(name);
+  const VsiFile file = opened_to_read(name);
   if (!file) return {};
   std::string out(kHead, '\0');
   out.resize(VSIFReadL(out.data(), 1, out.size(), file.get()));
@@ -81,7 +78,7 @@ std::string head_of(const std::string& name) {
 
 /// Does the file hold bytes of which `has` says so? It is given overlapping pieces.
 bool any_piece(const std::string& name, const std::function<bool(std::string_view)>& has) {
-  const File file = opened(name);
+  const VsiFile file = opened_to_read(name);
   if (!file) return false;
   std::string piece;
   std::vector<char> block(kBlock);
@@ -117,7 +114,7 @@ bool is_address_or_path(const std::string& place) {
 void require_readable_json(const std::string& name, const std::string& shown) {
   const std::size_t size = size_of(name);
   if (size <= kMostJsonValue) return;
-  const File file = opened(name);
+  const VsiFile file = opened_to_read(name);
   FileBuffer buffer(file.get());
   std::istream text(&buffer);
   if (has_large_json_value(
@@ -134,7 +131,7 @@ void look_at_json(const std::string& name, const std::string& shown) {
         return piece.find("crs\"") != std::string_view::npos || piece.find("\\u") != std::string_view::npos;
       }))
     return;
-  const File file = opened(name);
+  const VsiFile file = opened_to_read(name);
   FileBuffer buffer(file.get());
   std::istream text(&buffer);
   each_json_crs(text, [&](const std::string& type, const std::string& place) {

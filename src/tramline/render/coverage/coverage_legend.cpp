@@ -13,7 +13,7 @@ namespace {
 // What rounding leaves of nothing.
 constexpr double kLeastArea = 0.005;
 
-std::string with_share(double area_m2, double whole_m2) {
+std::string area_with_share(double area_m2, double whole_m2) {
   if (!(whole_m2 > 0)) return area_text(area_m2);
   return fmt::format("{} · {:.2f} %", area_text(area_m2), 100 * area_m2 / whole_m2);
 }
@@ -57,18 +57,18 @@ LegendBlock areas_of(const Coverage& coverage) {
   if (!coverage.field.empty()) {
     const double field_m2 = area(coverage.field);
     add("field", area_text(field_m2));
-    add("covered, of the field", with_share(areas.covered_inside_m2, field_m2));
-    add("missed, of the field", with_share(areas.missed_m2, field_m2));
+    add("covered, of the field", area_with_share(areas.covered_inside_m2, field_m2));
+    add("missed, of the field", area_with_share(areas.missed_m2, field_m2));
     if (areas.not_recorded_m2 > kLeastArea)
-      add("not recorded, of the field", with_share(areas.not_recorded_m2, field_m2));
+      add("not recorded, of the field", area_with_share(areas.not_recorded_m2, field_m2));
     add("covered outside it", area_text(areas.outside_m2));
   } else {
     add("covered", area_text(areas.covered_m2));
     if (areas.not_recorded_m2 > kLeastArea) add("not recorded", area_text(areas.not_recorded_m2));
   }
-  add("repeated, of all covered", with_share(areas.repeated_m2, areas.covered_m2));
+  add("repeated, of all covered", area_with_share(areas.repeated_m2, areas.covered_m2));
   if (areas.sliver_m2 > kLeastArea)
-    add("worked twice in bends", with_share(areas.sliver_m2, areas.covered_m2));
+    add("worked twice in bends", area_with_share(areas.sliver_m2, areas.covered_m2));
   return block;
 }
 

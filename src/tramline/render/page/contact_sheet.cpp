@@ -15,7 +15,7 @@ namespace {
 constexpr int kCellWidth = 640;
 constexpr int kTallestCell = 640;
 constexpr int kCaptionHeight = 34;
-constexpr int kGap = 20;
+constexpr int kCellGap = 20;
 constexpr int kLargestSheet = 32000;  // cairo's images end at 32767 px
 
 struct Picture {
@@ -82,23 +82,23 @@ void contact_sheet(const std::vector<std::filesystem::path>& pngs, const std::ve
   std::vector<Picture> pictures;
   for (const std::filesystem::path& path : pngs) pictures.push_back(measure(path));
   const std::vector<int> heights = row_heights(pictures, columns);
-  const int width = kGap + columns * (kCellWidth + kGap);
-  int height = kGap;
-  for (const int row : heights) height += row + kCaptionHeight + kGap;
+  const int width = kCellGap + columns * (kCellWidth + kCellGap);
+  int height = kCellGap;
+  for (const int row : heights) height += row + kCaptionHeight + kCellGap;
   if (std::max(width, height) > kLargestSheet)
     throw bad_input(fmt::format("contact sheet: {} pictures do not fit on one sheet", pngs.size()));
 
   Canvas canvas(format, width, height);
-  double top = kGap;
+  double top = kCellGap;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::size_t column = i % static_cast<std::size_t>(columns);
     const int row_height = heights[i / static_cast<std::size_t>(columns)];
-    const double left = kGap + static_cast<double>(column) * (kCellWidth + kGap);
+    const double left = kCellGap + static_cast<double>(column) * (kCellWidth + kCellGap);
     place(canvas, pictures[i], left, top, row_height);
     const TextStyle style{kTextSize, true, Align::kCentre};
     draw_text(canvas, {left + 0.5 * kCellWidth, top + row_height + 0.5 * kCaptionHeight},
               fitted(canvas, printable(captions[i]), style, kCellWidth), style);
-    if (column + 1 == static_cast<std::size_t>(columns)) top += row_height + kCaptionHeight + kGap;
+    if (column + 1 == static_cast<std::size_t>(columns)) top += row_height + kCaptionHeight + kCellGap;
   }
   write_whole(out, canvas.finish());
 }

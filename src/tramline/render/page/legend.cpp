@@ -9,7 +9,7 @@ namespace tramline::render {
 namespace {
 
 constexpr double kLegendHeadingHeight = 34;
-constexpr double kRowHeight = 27;
+constexpr double kLegendRowHeight = 27;
 constexpr double kBlockGap = 20;
 constexpr double kSwatchWidth = 34;
 constexpr double kSwatchHeight = 18;
@@ -169,7 +169,7 @@ void draw_row(Canvas& canvas, const Box& box, const LegendRow& row) {
 }
 
 double height_of(const LegendBlock& block) {
-  return kLegendHeadingHeight + kRowHeight * static_cast<double>(block.rows.size()) + kBlockGap;
+  return kLegendHeadingHeight + kLegendRowHeight * static_cast<double>(block.rows.size()) + kBlockGap;
 }
 
 void draw_block(Canvas& canvas, Point corner, double width, const LegendBlock& block) {
@@ -179,8 +179,8 @@ void draw_block(Canvas& canvas, Point corner, double width, const LegendBlock& b
   stroke_line(canvas, {{corner.x, rule}, {corner.x + width, rule}}, {kRule, 1.2 * k});
   double top = corner.y + kLegendHeadingHeight * k;
   for (const LegendRow& row : block.rows) {
-    draw_row(canvas, {corner.x, top, corner.x + width, top + kRowHeight * k}, row);
-    top += kRowHeight * k;
+    draw_row(canvas, {corner.x, top, corner.x + width, top + kLegendRowHeight * k}, row);
+    top += kLegendRowHeight * k;
   }
 }
 

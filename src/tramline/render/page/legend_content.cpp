@@ -27,7 +27,7 @@ std::string square_metres(double area_m2) {
                                        : fmt::format("{:.0f} m²", area_m2);
 }
 
-std::string with_share(double area_m2, double whole_m2) {
+std::string square_metres_with_share(double area_m2, double whole_m2) {
   if (whole_m2 <= 0) return square_metres(area_m2);
   return fmt::format("{} · {:.2f} %", square_metres(area_m2), 100 * area_m2 / whole_m2);
 }
@@ -98,11 +98,11 @@ LegendBlock headland_numbers(const Plan& plan) {
   const auto add = [&](const char* text, std::string value) {
     block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
   };
-  add("headland", with_share(area(headland.ground), field_m2));
+  add("headland", square_metres_with_share(area(headland.ground), field_m2));
   add("passes", std::to_string(headland.passes.size()));
   add("length of passes", length_text(length(headland)));
-  add("worked twice or beyond", with_share(headland.overlap_m2, field_m2));
-  add("left unworked", with_share(headland.uncovered_m2, field_m2));
+  add("worked twice or beyond", square_metres_with_share(headland.overlap_m2, field_m2));
+  add("left unworked", square_metres_with_share(headland.uncovered_m2, field_m2));
   return block;
 }
 
@@ -128,8 +128,8 @@ LegendBlock numbers(const Plan& plan) {
     if (const int detours = summary_of_detours(plan).count(); detours > 0)
       add("detours", std::to_string(detours));
     if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));
-    add("overlap", with_share(tally.overlap_m2, field_m2));
-    add("uncovered", with_share(tally.uncovered_m2, field_m2));
+    add("overlap", square_metres_with_share(tally.overlap_m2, field_m2));
+    add("uncovered", square_metres_with_share(tally.uncovered_m2, field_m2));
     if (!plan.route.planned()) add("cost", fmt::format("{:.2f}", plan.cost));
   }
   if (plan.route.planned()) {

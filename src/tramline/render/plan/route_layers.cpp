@@ -7,7 +7,7 @@
 namespace tramline::render {
 namespace {
 
-Colour colour_of(const RouteLeg& leg) {
+Colour colour_of_leg(const RouteLeg& leg) {
   if (leg.missing_m > 0) return kNoRoomColour;
   if (leg.kind == LegKind::kBackOut) return kBackOutColour;
   return leg.kind == LegKind::kTransit ? kTransitColour : kTurnColour;
@@ -22,8 +22,8 @@ void draw_route(Canvas& canvas, const Plan& plan) {
     if (leg.work) continue;
     const Path way = trace(leg.path, sagitta_m(canvas.view()));
     if (way.empty()) continue;
-    Stroke stroke{colour_of(leg), thickness};
-    if (leg.gear == Gear::kReverse) stroke = {colour_of(leg), thickness, {3 * thickness, 3 * thickness}};
+    Stroke stroke{colour_of_leg(leg), thickness};
+    if (leg.gear == Gear::kReverse) stroke = {colour_of_leg(leg), thickness, {3 * thickness, 3 * thickness}};
     curve(canvas, way, stroke);
   }
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// More than the verifier allows for, m: what the outline may be off the land, places off a line, and the
 /// half width of the place where it begins.
-constexpr double kOffLand_m = 0.1, kSamePlace_m = 0.1, kBegin_m = 0.02;
+constexpr double kOffLand_m = 0.1, kOffLine_m = 0.1, kBegin_m = 0.02;
 /// Polygons grow by more than this, m, or not at all.
 constexpr double kGrown_m = 1e-6;
 /// Edges shorter than this have no reliable direction, m.
@@ -90,7 +90,7 @@ bool apart(const Ring& a, const Ring& b) {
       const double length_m = std::hypot(edge.x, edge.y);
       if (length_m < kEdge_m) continue;
       if (std::ranges::all_of(other,
-                              [&](Point p) { return cross(edge, p - ring[i]) < -kSamePlace_m * length_m; }))
+                              [&](Point p) { return cross(edge, p - ring[i]) < -kOffLine_m * length_m; }))
         return true;
     }
     return false;

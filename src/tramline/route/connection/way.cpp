@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/model/speeds.h"
 #include "tramline/route/axle/axle_path.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 /// More of what was driven before is not kept.
 constexpr double kBackedAlong_m = 1000;
-constexpr double kSamePlace_m = 1e-6;
 
 /// What is left of a path behind the machine when it has backed so far along it.
 SteeredPath backed_from(const SteeredPath& path, double back_m) {

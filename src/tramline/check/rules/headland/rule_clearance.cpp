@@ -31,7 +31,8 @@ void check_curve(const Case& c, const TrackPiece& piece, const std::string& name
     const Box near = bounds(part).grown(least_m);
     for (const BoundedPolygon& obstacle : c.obstacles) {
       if (!intersects(obstacle.box, near)) continue;
-      const double missing_m = c.plan.settings.clearance_m - distance_between({part}, {*obstacle.shape});
+      const double missing_m =
+          c.plan.settings.clearance_m - tramline::distance_between({part}, {*obstacle.shape});
       if (missing_m <= kLengthTolerance_m) continue;
       out.push_back({Rule::kClearance,
                      fmt::format("{} comes {:.4f} m nearer to an obstacle than it may", name, missing_m),

@@ -14,7 +14,7 @@ namespace {
 
 /// The fault of the position of a curve between the ends of its piece, or "". Precondition: a path.
 std::string fault_of_curve(const TrackPiece& piece) {
-  if (const std::string fault = fault_of(piece.curve); !fault.empty()) return "'s curve: " + fault;
+  if (const std::string fault = check::fault_of(piece.curve); !fault.empty()) return "'s curve: " + fault;
   if (distance(piece.curve.front().from, piece.start) > kJoint_m ||
       distance(piece.curve.back().to, piece.end) > kJoint_m)
     return " is not as long as its curve";
@@ -62,7 +62,7 @@ void check_detours_of(const Plan& plan, std::size_t index, Violations& out) {
   FreeLine free(piece);
   for (std::size_t k = 0; k < piece.detours.size(); ++k) {
     const Detour& detour = piece.detours[k];
-    std::string fault = fault_of(detour.path);
+    std::string fault = check::fault_of(detour.path);
     if (fault.empty()) fault = free.take(detour.path);
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that does not exist";
