@@ -39,11 +39,12 @@ struct Tracks {
   explicit Tracks(std::size_t tracks)
       : plan(tracks_alone(field_of(tracks))),
         land(turning_land(plan.field, plan.machine, plan.settings)),
-        task{plan.field, plan.machine, plan.settings, plan.headland, plan.body, land},
+        task{plan.field, plan.machine, plan.settings, plan.headland, plan.body, land, beside},
         lines(order::lines_of(plan.pieces)) {}
 
   Plan plan;
   AllowedLand land;
+  LinesBesideBoundaries beside;
   RouteTask task;
   std::vector<order::WorkedLine> lines;
 };

@@ -13,7 +13,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "route/rounded_rectangle.h"
-#include "tramline/route/build/followed_lines.h"
+#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 
@@ -65,7 +65,7 @@ struct Passes {
   EntriesByPass entries{};
   SteeredPath left{};
   DrivingGround ground{allowed, field, machine, land};
-  RoadmapOnDemand roadmap{[this] { return Roadmap(followed_lines({}, {}, field, ground), 3); }, ground};
+  RoadmapOnDemand roadmap{[this] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground};
   Connector connector{ground, roadmap, {}};
   LeastSeconds least{machine};
   PassTask task{headland, entries, all, PassSequence::kAny, connector, least};

@@ -12,8 +12,8 @@
 #include "properties/draws.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/known_costs.h"
+#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/route/build/track_tour.h"
 #include "tramline/route/connection/arc_room.h"
 #include "tramline/route/connection/unreachable.h"
@@ -202,7 +202,9 @@ struct TracksToJoin {
   }
 
   RoadmapOnDemand new_roadmap() const {
-    return {[this] { return Roadmap(followed_lines({}, {}, tracks.field, ground), 0.75 * machine.radius_m); },
+    return {[this] {
+              return Roadmap(lines_beside_boundaries({}, tracks.field, ground), 0.75 * machine.radius_m);
+            },
             ground};
   }
 
@@ -389,7 +391,7 @@ TEST(Connector, BacksNoFartherThanItTakesToTurn) {
   const Region region{{field.outer, {}}};
   const AllowedLand land(region);
   const DrivingGround ground(land, field, machine, region);
-  RoadmapOnDemand roadmap({[&] { return Roadmap(followed_lines({}, {}, field, ground), 3); }, ground});
+  RoadmapOnDemand roadmap({[&] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground});
   const Connector connector(ground, roadmap, {});
   const SteeredPath left{arc_from({{40, 20}, Heading::from_to({0, 0}, {0, 1})}, 80, 0, Gear::kForward)};
   const SteeredPath entered{arc_from({{52, 100}, Heading::from_to({0, 1}, {0, 0})}, 80, 0, Gear::kForward)};

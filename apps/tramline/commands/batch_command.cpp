@@ -18,12 +18,12 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kBatchAbout =
     "Plan all fields of a large file in chunks: memory does not grow with the number of fields, and a run "
     "that "
     "was ended goes on where it stopped.";
 
-constexpr const char* kExample =
+constexpr const char* kBatchExample =
     "Examples:\n"
     "  tramline batch parcels.gpkg -o plans --width 24 --radius 8\n"
     "  tramline batch parcels.gpkg -o plans --width 24 --radius 8 --resume\n"
@@ -57,8 +57,8 @@ class Pace {
 class BatchCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "batch", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "batch", kBatchAbout);
+    command.footer(kBatchExample);
     add_batch_options(command, request_, resume_);
     add_report_options(command, json_, "Print the sums as one JSON object.", quiet_);
     command.begin_group("Run");

@@ -20,11 +20,11 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kCheckHelp =
     "Verify a plan independently of the planner. Areas, turns and stops are recomputed from the tracks "
     "alone; every track has to keep clear of obstacles and to end where its rule says. Exit code: 0 the plan "
     "holds, 1 it does not, 2 bad input.";
-constexpr const char* kExample =
+constexpr const char* kCheckExample =
     "Examples:\n"
     "  tramline check plan.gpkg\n"
     "  tramline check plan.gpkg --field field.geojson\n"
@@ -34,7 +34,7 @@ constexpr const char* kExample =
 class CheckCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "check", kHelp);
+    CommandOptions command(program, "check", kCheckHelp);
     command.add_option("PLAN", plan_file_, "The plan: a GeoPackage written by 'tramline plan'.").required();
     command.begin_group("Field");
     const Option field =
@@ -59,7 +59,7 @@ class CheckCommand : public Command {
                      "Print one JSON object instead of the table; one per line for many plans.");
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
-    command.footer(kExample);
+    command.footer(kCheckExample);
     return command;
   }
 

@@ -27,11 +27,11 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kCompareAbout =
     "Compare the plans of a field that are worth a choice. Of any two of them, each is better than the other "
     "in overlap, uncovered land, turns or stops.";
 
-constexpr const char* kExample =
+constexpr const char* kCompareExample =
     "Examples:\n"
     "  tramline compare field.geojson --width 3 --radius 6 --picture front.png\n"
     "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.5,5 --for 0.04,0.10,2\n"
@@ -84,8 +84,8 @@ class PointChoice {
 class CompareCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "compare", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "compare", kCompareAbout);
+    command.footer(kCompareExample);
     add_compare_options(command, options_);
     command.begin_group("Output");
     command.add_option("--csv", csv_, "Write a table of the plans to this .csv.")

@@ -31,9 +31,9 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kDoseHelp =
     "Map how much a recorded drive applied where: the amount in every cell, its mean and spread.";
-constexpr const char* kExample =
+constexpr const char* kDoseExample =
     "Examples:\n"
     "  tramline dose spraying.csv --width 24 --nominal-rate 200 -o dose.tif --picture dose.png\n"
     "  tramline dose spraying.csv --width 24 --nominal-rate 200 --wind 4,270 --pattern boom.csv --cell 0.5\n"
@@ -63,7 +63,7 @@ coverage::WindSettings wind_of(const std::string& text, coverage::WindSettings o
 class DoseCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "dose", kHelp);
+    CommandOptions command(program, "dose", kDoseHelp);
     command.add_option(
         "INPUT", input_,
         "A log in any format that 'tramline evaluate' reads, or a coverage file of 'tramline evaluate -o'.");
@@ -87,7 +87,7 @@ class DoseCommand : public Command {
     add_report_options(command, json_, "Print one JSON object instead of the table.", quiet_);
     command.begin_group("Run");
     add_threads_option(command, settings_.evaluate.threads);
-    command.footer(kExample);
+    command.footer(kDoseExample);
     return command;
   }
 

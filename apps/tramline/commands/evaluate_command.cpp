@@ -31,9 +31,9 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kEvaluateHelp =
     "Evaluate a recorded drive, or the drive of a plan: which land was covered, repeated and missed.";
-constexpr const char* kExample =
+constexpr const char* kEvaluateExample =
     "Examples:\n"
     "  tramline evaluate spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --picture "
     "done.png\n"
@@ -49,7 +49,7 @@ constexpr const char* kExample =
 class EvaluateCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "evaluate", kHelp);
+    CommandOptions command(program, "evaluate", kEvaluateHelp);
     command.add_option(
         "LOG", log_file_,
         "The drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or worked "
@@ -87,7 +87,7 @@ class EvaluateCommand : public Command {
     add_report_options(command, json_, "Print one JSON object instead of the table.", quiet_);
     command.begin_group("Run");
     add_threads_option(command, settings_.threads);
-    command.footer(kExample);
+    command.footer(kEvaluateExample);
     return command;
   }
 

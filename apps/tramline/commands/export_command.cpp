@@ -12,12 +12,12 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kExportAbout =
     "Export plans: to GeoJSON, FlatGeobuf, KML or zipped Shapefiles for other programs, to ISOXML and "
     "AgOpenGPS for "
     "guidance terminals, and routes for autopilots, robots and drones.";
 
-constexpr const char* kExample =
+constexpr const char* kExportExample =
     "Examples:\n"
     "  tramline export plan.gpkg -o tracks.geojson\n"
     "  tramline export plan.gpkg -o plan.zip --crs EPSG:25832\n"
@@ -33,7 +33,7 @@ constexpr const char* kExample =
 class ExportCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "export", kAbout);
+    CommandOptions command(program, "export", kExportAbout);
     command
         .add_option("PLAN", options_.plans,
                     "The plan: a GeoPackage written by 'tramline plan' or 'tramline repair', or the coverage "
@@ -71,7 +71,7 @@ class ExportCommand : public Command {
     add_route_options(command);
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
-    command.footer(kExample);
+    command.footer(kExportExample);
     return command;
   }
 

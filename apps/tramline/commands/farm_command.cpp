@@ -13,10 +13,10 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kFarmAbout =
     "Say what the work on all fields of a file takes: hours, litres and euros, one table for all fields.";
 
-constexpr const char* kExample =
+constexpr const char* kFarmExample =
     "Examples:\n"
     "  tramline farm parcels.gpkg --layer parcels --machine sprayer.toml --pdf quote.pdf\n"
     "  tramline farm parcels.gpkg --where \"crop='wheat'\" --width 24 --operation spraying --table "
@@ -28,8 +28,8 @@ constexpr const char* kExample =
 class FarmCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "farm", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "farm", kFarmAbout);
+    command.footer(kFarmExample);
     add_field_options(command, field_options_);
     add_plan_options(command, plan_options_, PlanDefaults::kWhole);
     add_machines_options(command, machines_);

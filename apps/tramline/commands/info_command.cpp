@@ -13,10 +13,10 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kInfoHelp =
     "Show what was read from a file: coordinate reference system, areas, obstacles and repairs. Of several "
     "features the first 20 are listed.";
-constexpr const char* kExample =
+constexpr const char* kInfoExample =
     "Examples:\n"
     "  tramline info parcels.gpkg\n"
     "  tramline info parcels.gpkg --id mill-field\n"
@@ -26,14 +26,14 @@ constexpr long long kListed = 20;
 class InfoCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "info", kHelp);
+    CommandOptions command(program, "info", kInfoHelp);
     add_field_options(command, options_);
     command.begin_group("Output");
     command.add_flag("--json", json_,
                      "Print one JSON object, or with --all a line with an object for each field.");
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
-    command.footer(kExample);
+    command.footer(kInfoExample);
     return command;
   }
 

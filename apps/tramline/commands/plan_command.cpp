@@ -36,7 +36,7 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kExample =
+constexpr const char* kPlanExample =
     "Examples:\n"
     "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
     "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
@@ -368,7 +368,7 @@ class PlanCommand : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_plan_command() {
-  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field.", kExample,
+  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field.", kPlanExample,
                                        PlanCommand::Tables::kNone);
 }
 std::unique_ptr<Command> make_map_command() {

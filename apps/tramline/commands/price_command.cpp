@@ -25,11 +25,11 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kPriceAbout =
     "Price lines that somebody else drew or planned: overlap, uncovered land, turns, stops and cost by the "
     "definitions of 'tramline plan'. With --compare the same field is planned, too.";
 
-constexpr const char* kExample =
+constexpr const char* kPriceExample =
     "Examples:\n"
     "  tramline price lines.shp --field field.geojson --width 6\n"
     "  tramline price lines.gpkg --lines-layer ab_lines --field field.geojson --width 6 --picture lines.png\n"
@@ -44,8 +44,8 @@ constexpr const char* kExample =
 class PriceCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "price", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "price", kPriceAbout);
+    command.footer(kPriceExample);
     add_price_options(command, options_);
     command.begin_group("Output");
     add_output_option(command, output_, "Write the lines as a plan to this GeoPackage (.gpkg).");

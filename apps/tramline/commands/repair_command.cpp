@@ -28,9 +28,9 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kRepairAbout =
     "Plan passes over the land that a drive has missed, from the coverage file of 'tramline evaluate'.";
-constexpr const char* kExample =
+constexpr const char* kRepairExample =
     "Examples:\n"
     "  tramline evaluate spraying.csv --field field.geojson --width 24 -o coverage.gpkg\n"
     "  tramline repair coverage.gpkg --width 24 --radius 8 -o repair.gpkg --picture repair.png\n"
@@ -44,8 +44,8 @@ constexpr const char* kExample =
 class RepairCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "repair", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "repair", kRepairAbout);
+    command.footer(kRepairExample);
     command.add_option("COVERAGE", coverage_file_, "A coverage file, as written by 'tramline evaluate -o'.")
         .required();
     add_machine_options(command, options_, "0");

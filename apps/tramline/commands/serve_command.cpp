@@ -20,10 +20,10 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kServeAbout =
     "Serve a web page on which to plan, compare and replay, to the browsers of this computer.";
 
-constexpr const char* kExample =
+constexpr const char* kServeExample =
     "Examples:\n"
     "  tramline serve\n"
     "  tramline serve farm --port 9000\n"
@@ -62,8 +62,8 @@ class StopAtSignal {
 class ServeCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "serve", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "serve", kServeAbout);
+    command.footer(kServeExample);
     command.add_option("DIR", folder_, "Folder that keeps everything, made if it is missing.")
         .shows_default("~/.local/share/tramline");
     command.begin_group("Network");

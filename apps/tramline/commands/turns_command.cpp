@@ -23,12 +23,12 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kAbout =
+constexpr const char* kTurnsAbout =
     "Show how a machine turns from a track to its neighbours: the manoeuvres it has, how deep a headland "
     "each "
     "needs, how long it is and how long it takes. No field is needed.";
 
-constexpr const char* kExample =
+constexpr const char* kTurnsExample =
     "Examples:\n"
     "  tramline turns --width 3 --radius 6\n"
     "  tramline turns --machine sprayer.toml --angle 60 --picture turns.png\n"
@@ -41,8 +41,8 @@ constexpr const char* kExample =
 class TurnsCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "turns", kAbout);
-    command.footer(kExample);
+    CommandOptions command(program, "turns", kTurnsAbout);
+    command.footer(kTurnsExample);
     add_machine_options(command, options_, "");
     command.remove_option("--min-length");
     add_turning_options(command, options_.turning);

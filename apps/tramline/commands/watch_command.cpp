@@ -24,9 +24,9 @@
 namespace tramline::app {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kWatchHelp =
     "Watch a drive while it goes on: which land is covered, repeated and missed, after every fix.";
-constexpr const char* kExample =
+constexpr const char* kWatchExample =
     "Examples:\n"
     "  tramline watch --gpsd --field fields.gpkg --where \"id='mill-field'\" --width 24 -o today.gpkg\n"
     "  tramline watch --tcp tractor.local:5017 --width 6 --json\n"
@@ -43,7 +43,7 @@ constexpr const char* kExample =
 class WatchCommand : public Command {
  public:
   CommandOptions setup(CLI::App& program) override {
-    CommandOptions command(program, "watch", kHelp);
+    CommandOptions command(program, "watch", kWatchHelp);
     command.begin_group("Source of the lines");
     command.add_option("--follow", follow_, "A file that is being written.")
         .takes("FILE")
@@ -80,7 +80,7 @@ class WatchCommand : public Command {
     command.add_flag("--quiet", output_.quiet, "Print neither status nor table.");
     command.begin_group("Run");
     add_threads_option(command, threads_);
-    command.footer(kExample);
+    command.footer(kWatchExample);
     command_ = command;
     return command;
   }

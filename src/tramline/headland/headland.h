@@ -21,6 +21,8 @@ struct HeadlandTerms {
   /// By edges of Field::outer, edge i from vertex i to vertex i + 1; empty: field_passes along all of them,
   /// else field_passes does not count. Different numbers require kDrivable.
   std::vector<int> edge_passes{};
+
+  bool operator==(const HeadlandTerms&) const = default;
 };
 
 /// Headlands, except for Headland::unworked, and the body they leave.

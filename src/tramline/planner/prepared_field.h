@@ -7,6 +7,7 @@
 #include "tramline/avoidance/obstacles/obstacle_classification.h"
 #include "tramline/model/headland.h"
 #include "tramline/planner/given/prepared_land.h"
+#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/turns/room/allowed_land.h"
 
 namespace tramline {
@@ -32,6 +33,8 @@ struct PreparedField {
   MayDivide may_divide = MayDivide::kYes;
   /// Where the machine may turn (turning_land()); shared by the parts of a divided field.
   std::shared_ptr<const AllowedLand> turning_land{};
+  /// What its routes may follow where there is no headland pass; shared likewise.
+  std::shared_ptr<const LinesBesideBoundaries> beside_boundaries = std::make_shared<LinesBesideBoundaries>();
 };
 
 }  // namespace tramline

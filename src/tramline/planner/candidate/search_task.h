@@ -24,7 +24,8 @@ struct SearchTask {
         clearance_takes_all(prepared.clearance_takes_all),
         given(prepared.given),
         may_divide(prepared.may_divide),
-        turning_land(*prepared.turning_land) {}
+        turning_land(*prepared.turning_land),
+        beside_boundaries(*prepared.beside_boundaries) {}
 
   const Field& field;
   const Machine& machine;
@@ -39,6 +40,7 @@ struct SearchTask {
   const PreparedLand& given;
   MayDivide may_divide;
   const AllowedLand& turning_land;
+  const LinesBesideBoundaries& beside_boundaries;
 };
 
 }  // namespace tramline

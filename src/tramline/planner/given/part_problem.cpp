@@ -13,6 +13,7 @@ PartProblem::PartProblem(const PlanningProblem& whole, const PreparedField& prep
   problem_.settings.guide.clear();
   prepared_.given = {};
   prepared_.headland = {};
+  prepared_.beside_boundaries = std::make_shared<LinesBesideBoundaries>();
   prepared_.may_divide = divide;
   ClassifiedGround& ground = prepared_.ground;
   ground.body = intersection(ground.body, shapes);

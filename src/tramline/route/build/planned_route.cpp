@@ -114,7 +114,8 @@ class RoutePlanner {
 
   Roadmap roadmap() const {
     const double spacing_m = std::max(kLeastSpacing_m, kRoadmapSpacing_radii * ground_.machine().radius_m);
-    return {followed_lines(task_.headland, pieces_of(lines_), task_.field, ground_), spacing_m};
+    const auto& beside = task_.beside_boundaries.found(task_.headland, task_.field, ground_);
+    return {followed_lines(task_.headland, pieces_of(lines_), beside, task_.machine), spacing_m};
   }
 
   /// The way from where the route is, or from its gate, to the beginning of a work.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
+#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/route/order/lines.h"
 #include "tramline/turns/room/allowed_land.h"
 
@@ -20,6 +21,7 @@ struct RouteTask {
   const Headland& headland;
   const Region& body;               ///< the land of the tracks
   const AllowedLand& turning_land;  ///< turning_land()
+  const LinesBesideBoundaries& beside_boundaries;
 };
 
 /// What a stop to back out counts in the order of a route and in its bound, s: stop_seconds() where the plan

@@ -1,0 +1,33 @@
+#pragma once
+// Lines along which a machine may drive beside boundaries that have no headland pass.
+
+#include <mutex>
+#include <vector>
+
+#include "tramline/headland/headland.h"
+#include "tramline/model/plan.h"
+#include "tramline/route/connection/driving_ground.h"
+#include "tramline/route/connection/roadmap.h"
+
+namespace tramline {
+
+/// Lines round the field and round obstacles that have no passes, as near to them as the outline may be while
+/// it turns. They may leave the land. As long as a headland of one pass takes.
+std::vector<FollowedLine> lines_beside_boundaries(const Headland& headland, const Field& field,
+                                                  const DrivingGround& ground);
+
+/// These lines, found by the first route that needs them, for all routes behind the same headland: some need
+/// none, and finding them takes as long as a route. For any number of threads.
+class LinesBesideBoundaries {
+ public:
+  /// Precondition: field, machine, and the boundaries that have passes are those of the first call.
+  const std::vector<FollowedLine>& found(const Headland& headland, const Field& field,
+                                         const DrivingGround& ground) const;
+
+ private:
+  mutable std::once_flag once_{};
+  mutable HeadlandTerms terms_{};  ///< of passes along them
+  mutable std::vector<FollowedLine> lines_{};
+};
+
+}  // namespace tramline
