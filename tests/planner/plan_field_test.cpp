@@ -148,6 +148,19 @@ TEST(PlanField, HardBoundariesKeepSwathsInside) {
   EXPECT_TRUE(warned);
 }
 
+// A track 24 m wide, and beside it 60 m along which the field is up to 0.15 mm wider: 45 cm² of land, which
+// the layer has as the tally does, since no chord of an arc left it open.
+TEST(PlanField, LandBesideStraightTracksIsUncoveredHoweverThin) {
+  Field field;
+  field.outer = {{0, 0}, {60, 0}, {60, 24.00015}, {0, 24}};
+  Machine machine;
+  machine.width_m = 24;
+  const Plan plan = plan_field(field, machine, {}, {});
+  ASSERT_EQ(plan.pieces.size(), 1u);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0.0045, 1e-4);
+  EXPECT_NEAR(area(plan.uncovered), plan.tally.uncovered_m2, 1e-4);
+}
+
 // Boustrophedon: each piece starts on the side where the one before ended.
 TEST(DrivingOrder, GoesUpAndDown) {
   const Plan plan = plan_field(rectangle(100, 60), {}, {}, {});

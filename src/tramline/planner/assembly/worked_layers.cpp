@@ -1,5 +1,7 @@
 #include "tramline/planner/assembly/worked_layers.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -57,6 +59,15 @@ void add_passes(const Plan& plan, const SearchContext& context, TrackGround& all
   });
 }
 
+/// Whether some work follows arcs. Only their chords leave land open that is none.
+bool follows_arcs(const Plan& plan) {
+  const auto has_arcs = [](const Path& path) { return std::isfinite(smallest_radius(path)); };
+  return std::ranges::any_of(plan.pieces,
+                             [&](const TrackPiece& piece) { return has_arcs(centre_line(piece)); }) ||
+         std::ranges::any_of(plan.headland.passes,
+                             [&](const HeadlandPass& pass) { return has_arcs(pass.path); });
+}
+
 /// The polygons that do not lie wholly inside the land.
 Region reaching_out(const Region& parts, const EdgeIndex& land) {
   Region out;
@@ -77,7 +88,7 @@ void add_layers(Plan& plan, TrackGround tracks, const SearchContext& context) {
   const auto uncovered = [&] {
     // In one go: taken away one by one, swaths leave thousands of slivers between the chords of their arcs.
     plan.uncovered = difference(land, united_regions(tracks.regions));
-    std::erase_if(plan.uncovered, is_sliver);
+    if (follows_arcs(plan)) std::erase_if(plan.uncovered, is_sliver);
   };
   const auto overlap = [&] {
     std::vector<Region> all = std::move(tracks.also_doubled);
