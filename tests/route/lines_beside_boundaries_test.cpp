@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tramline/route/turning/turning_land.h"
-
 namespace tramline {
 namespace {
 

@@ -9,12 +9,13 @@
 
 #include "server/http/event_stream.h"
 #include "server/http/router.h"
+#include "server/http/shape_detail.h"
 #include "server/work/work_json.h"
 
 namespace tramline::server {
 
-/// "?detail_m=0.02": how far what is drawn may be from what is; 0 where it is not there. Throws bad_input.
-double detail_in(const Call& call);
+/// Work as it comes in is drawn no coarser, m.
+inline constexpr double kCoarsestWork_m = 10;
 
 /// What takes this long has to show that somebody still listens.
 inline constexpr std::chrono::milliseconds kPingEvery{1000};

@@ -45,7 +45,7 @@ void replay(App& app, const Call& call, httplib::Response& response) {
     throw bad_input(
         fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
   stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed),
-              detail_in(call));
+              detail_in(call, kCoarsestWork_m));
 }
 
 bool is_layer(const std::string& name) {

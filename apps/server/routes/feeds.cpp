@@ -159,7 +159,8 @@ void add_feed_routes(Router& router, App& app) {
   });
   router.get(api("/feeds/{feed}/events"), [&app](const Call& call, httplib::Response& response) {
     stream_work(app.streams, response,
-                std::make_shared<FeedReader>(app.drives->feeds.get(call.part("feed")).feed), detail_in(call));
+                std::make_shared<FeedReader>(app.drives->feeds.get(call.part("feed")).feed),
+                detail_in(call, kCoarsestWork_m));
   });
   router.post(api("/feeds/{feed}/work"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();

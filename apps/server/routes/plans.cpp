@@ -9,6 +9,7 @@
 #include "report/plan_report.h"
 #include "server/http/packed.h"
 #include "server/http/page_words.h"
+#include "server/http/shape_detail.h"
 #include "server/input/json_input.h"
 #include "server/map/detour_layer.h"
 #include "server/map/headland_sides.h"
@@ -89,19 +90,10 @@ ordered_json in_full(const App& app, const KeptPlan& kept, const OpenedPlan& ope
           {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 
-/// By how much shapes may deviate, m; 0 where the request does not say.
-double layer_detail_in(const Call& call) {
-  const double detail_m = call.query_number("detail_m");
-  if (std::isnan(detail_m)) return 0;
-  if (detail_m < 0 || detail_m > kCoarsest_m)
-    throw bad_input(fmt::format("detail_m has to lie between 0 and {:g}, not {:g}", kCoarsest_m, detail_m));
-  return detail_m;
-}
-
 std::string layer_of(App& app, const Call& call) {
   const std::string& layer = call.part("layer");
   const KeptPlan kept = app.plans.get(call.part("plan"));
-  const double detail_m = layer_detail_in(call);
+  const double detail_m = detail_in(call, kCoarsest_m);
   if (layer == kDetourLayer) return detour_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
   if (layer == kOutsideLayer) return outside_geojson(app.plans.open(kept.id)->plan, detail_m).dump();
   return while_kept([&] { app.plans.get(kept.id); },

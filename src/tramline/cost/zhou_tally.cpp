@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "tramline/cost/settled_areas.h"
@@ -29,8 +28,7 @@ Region kinked_swaths(const std::vector<LaidPiece>& pieces, double width_m) {
 }
 
 ZhouTally zhou_tally(const LaidTracks& tracks, double width_m, const Region& body) {
-  assert(std::all_of(tracks.pieces.begin(), tracks.pieces.end(),
-                     [](const LaidPiece& piece) { return std::isinf(smallest_radius(piece.path)); }));
+  assert(std::ranges::none_of(tracks.pieces, [](const LaidPiece& piece) { return has_arcs(piece.path); }));
   ZhouTally out;
   Region swaths;
   for (const LaidPiece& piece : tracks.pieces) {

@@ -37,6 +37,7 @@ Path straight_path(Point from, Point to);
 double length(const Path& path);
 /// Smallest radius on the path, m; infinite for a path without arcs.
 double smallest_radius(const Path& path);
+bool has_arcs(const Path& path);
 /// The same path driven the other way.
 Path reversed(const Path& path);
 

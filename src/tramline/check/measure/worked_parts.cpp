@@ -26,8 +26,8 @@ class SwathParts {
   void add(const PathSegment& segment) { add({segment}, bands_along({segment}, width_m_, kLayerSagitta)); }
   void add(const Path& path) {
     Region ground;
-    append_ground(band(path, width_m_, kLayerSagitta),
-                  std::isfinite(smallest_radius(path)) ? Folds::kPerhaps : Folds::kNever, ground);
+    append_ground(band(path, width_m_, kLayerSagitta), has_arcs(path) ? Folds::kPerhaps : Folds::kNever,
+                  ground);
     add(path, std::move(ground));
   }
 

@@ -161,6 +161,8 @@ double smallest_radius(const Path& path) {
   return least;
 }
 
+bool has_arcs(const Path& path) { return std::isfinite(smallest_radius(path)); }
+
 Path reversed(const Path& path) {
   Path out;
   out.reserve(path.size());

@@ -1,7 +1,6 @@
 #include "tramline/planner/assembly/worked_layers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -61,11 +60,10 @@ void add_passes(const Plan& plan, const SearchContext& context, TrackGround& all
 
 /// Whether some work follows arcs. Only their chords leave land open that is none.
 bool follows_arcs(const Plan& plan) {
-  const auto has_arcs = [](const Path& path) { return std::isfinite(smallest_radius(path)); };
   return std::ranges::any_of(plan.pieces,
-                             [&](const TrackPiece& piece) { return has_arcs(centre_line(piece)); }) ||
+                             [](const TrackPiece& piece) { return has_arcs(centre_line(piece)); }) ||
          std::ranges::any_of(plan.headland.passes,
-                             [&](const HeadlandPass& pass) { return has_arcs(pass.path); });
+                             [](const HeadlandPass& pass) { return has_arcs(pass.path); });
 }
 
 /// The polygons that do not lie wholly inside the land.

@@ -1,5 +1,6 @@
 #include "tramline/planner/given/part_problem.h"
 
+#include <memory>
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"

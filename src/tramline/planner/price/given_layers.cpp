@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "tramline/cost/worked/doubled_ground.h"
@@ -16,11 +15,6 @@
 
 namespace tramline {
 namespace {
-
-bool have_arcs(const std::vector<Path>& paths) {
-  return std::any_of(paths.begin(), paths.end(),
-                     [](const Path& path) { return std::isfinite(smallest_radius(path)); });
-}
 
 /// Whether thin land is an effect of chords, or as real as all other.
 enum class Slivers { kAreLand, kOfChords };
@@ -117,7 +111,8 @@ void add_layers_of_lines(const std::vector<Path>& tracks, const std::vector<Path
   Region swaths = swath_grounds(tracks, plan.machine.width_m, kLayerSagitta);
   for (Polygon& part : swath_grounds(passes, plan.machine.width_m, kLayerSagitta))
     swaths.push_back(std::move(part));
-  const Slivers slivers = have_arcs(tracks) || have_arcs(passes) ? Slivers::kOfChords : Slivers::kAreLand;
+  const bool arcs = std::ranges::any_of(tracks, has_arcs) || std::ranges::any_of(passes, has_arcs);
+  const Slivers slivers = arcs ? Slivers::kOfChords : Slivers::kAreLand;
   const Region land = body_of(plan.field);
   for (int tries = 1;; ++tries) {
     // Another grid: coordinates that lie otherwise between its points are rounded otherwise.

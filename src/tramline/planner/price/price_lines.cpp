@@ -150,9 +150,8 @@ void set_figures_of_lines(const std::vector<Path>& tracks, const std::vector<Pat
 
 /// What each line works in vain is known in closed form of lines without arcs.
 void set_overlap_by_line(Plan& plan) {
-  const bool arcs = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const TrackPiece& piece) {
-    return std::isfinite(smallest_radius(centre_line(piece)));
-  });
+  const bool arcs =
+      std::ranges::any_of(plan.pieces, [](const TrackPiece& piece) { return has_arcs(centre_line(piece)); });
   if (arcs) return;
   const std::vector<double> overlaps = overlap_by_kinked_piece(plan.body, plan.pieces, plan.machine.width_m);
   for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
