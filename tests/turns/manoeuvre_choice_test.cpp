@@ -60,6 +60,15 @@ TEST(ManoeuvreChoice, NearTracksAskForAnOmegaOrAFishtail) {
   EXPECT_LT(first_of(quick, ManoeuvreKind::kFishtail), first_of(quick, ManoeuvreKind::kOmega));
 }
 
+TEST(ManoeuvreChoice, NothingOnADrawbarIsReversed) {
+  Machine machine = turning_machine(true);
+  machine.turning.implement = Coupling::kTowed;
+  machine.turning.drawbar_m = 3;
+  const auto all = manoeuvres_between(kEndOfWork, pose(3, 0, 180), machine);
+  ASSERT_FALSE(all.empty());
+  for (const Manoeuvre& manoeuvre : all) EXPECT_EQ(gear_changes(manoeuvre), 0) << manoeuvre.word;
+}
+
 TEST(ManoeuvreChoice, StaggeredEndsHaveTheLeadAndTheArcs) {
   const auto all = manoeuvres_between(kEndOfWork, pose(24, 5, 180), turning_machine(false));
   std::set<std::string> unequal;

@@ -33,13 +33,6 @@ std::vector<double> spacings_of(const Machine& machine, const TurnTableSettings&
   return out;
 }
 
-/// A drawbar folds up in reverse.
-Machine as_it_turns(const Machine& machine, const Outline& outline) {
-  Machine out = machine;
-  if (outline.tows()) out.turning.reverse = false;
-  return out;
-}
-
 TurnRow row_of(const Machine& machine, const Outline& outline, Angle border, Manoeuvre manoeuvre) {
   TurnRow out;
   out.manoeuvre = std::move(manoeuvre);
@@ -95,13 +88,12 @@ int passes_for(double depth_m, double width_m) {
 std::vector<TurnRow> turn_table(const Machine& machine, const TurnTableSettings& settings) {
   assert(machine.radius_m > 0 && machine.width_m > 0);
   const Outline outline = outline_of(machine);
-  const Machine turning = as_it_turns(machine, outline);
   std::vector<TurnRow> out;
   for (const double spacing_m : spacings_of(machine, settings)) {
     assert(spacing_m > 0);
-    const Pose begins = turn_begins(turning), ends = turn_ends(turning, spacing_m, settings.border);
-    for (Manoeuvre& manoeuvre : manoeuvres_between(begins, ends, turning)) {
-      out.push_back(row_of(turning, outline, settings.border, std::move(manoeuvre)));
+    const Pose begins = turn_begins(machine), ends = turn_ends(machine, spacing_m, settings.border);
+    for (Manoeuvre& manoeuvre : manoeuvres_between(begins, ends, machine)) {
+      out.push_back(row_of(machine, outline, settings.border, std::move(manoeuvre)));
       out.back().spacing_m = spacing_m;
     }
   }

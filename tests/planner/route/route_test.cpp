@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "properties/seeds.h"
@@ -179,6 +180,24 @@ TEST(Route, BeginsBesideAGateOnTheEdge) {
   EXPECT_EQ(start, *plan.settings.route.start);
   EXPECT_LE(distance(start, {150, 0}), 4);
   expect_on_the_land(plan);
+}
+
+// Between its edges no machine of 3 m turns on land 4 m wide: from a gate beside the middle of its only track
+// it backs to where the track begins, and back to the gate from where it ends.
+TEST(Route, BacksFromAGateToTheBeginningOfATrack) {
+  for (const bool reverse : {false, true}) {
+    PlanSettings settings = whole_route(0);
+    settings.boundary = EdgeKind::kHard;
+    settings.route.start = settings.route.end = Point{2, 30};
+    Machine machine{"", 3, 6};
+    machine.turning.reverse = reverse;
+    const Plan plan = plan_field(rectangle(4, 60), machine, {}, settings);
+    expect_sound(plan);
+    expect_on_the_land(plan);
+    const RouteSums sums = sums_of(plan.route);  // half of the track before it is worked, and half afterwards
+    EXPECT_NEAR(sums.reverse_m, 60, 4);
+    EXPECT_NEAR(sums.not_working_m(), 60, 8);
+  }
 }
 
 // Tracks end at a wall across the field, without headland: the machine gets away in reverse alone.
@@ -372,6 +391,11 @@ TEST(RouteProperties, RandomFieldsAreDrivenWhole) {
     if (number % 5 == 0) settings.route.passes = PassTime::kFirst;
     Machine machine{"", number % 2 == 0 ? 6.0 : 3.0, 5};
     machine.turning.reverse = number % 3 == 0;
+    const auto corner = [&] {
+      return field.outer[std::uniform_int_distribution<std::size_t>(0, field.outer.size() - 1)(random)];
+    };
+    if (number % 3 == 1) settings.route.start = corner();
+    if (number % 4 == 1) settings.route.end = corner();
     try {
       const Plan plan = plan_field(field, machine, {}, settings);
       if (!plan.route.planned()) return;

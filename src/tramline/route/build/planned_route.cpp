@@ -140,7 +140,7 @@ class RoutePlanner {
 
   /// Goes a way to a work and over it.
   void go(Way way, const SteeredPath& work) {
-    if (way.has_room() && (way.backs_out || way.backs_in))
+    if (!left_.empty() && way.has_room() && (way.backs_out || way.backs_in))
       way = connector_.with_less_backing(way, left_, work);
     if (!way.has_room() && !left_.empty()) way = squeezed_.along_the_land(std::move(way), left_, work);
     if (!way.path.empty()) legs_.add(way);

@@ -43,6 +43,8 @@ Pose implement_pose(const Pose& axle, const Turning& turning) {
   return moved_on(axle, -reach_back_m(turning));
 }
 
+bool reverses(const SteeredStretch& stretch) { return stretch.gear == Gear::kReverse; }
+
 double step_back_m(const Machine& machine) { return std::max(machine.radius_m, 0.5 * machine.width_m); }
 
 SteeredPath joined(const SteeredPath& a, const SteeredPath& b, const SteeredPath& c) {
@@ -258,26 +260,29 @@ std::vector<double> Connector::up_to_m(double back_m, double length_m) const {
   return out;
 }
 
+std::vector<WayEnd> Connector::less_backed_out(const Way& way, const SteeredPath& left) const {
+  if (!way.backs_out) return {straight_out(end_of(left))};
+  const auto end = std::ranges::find_if_not(way.path, reverses);
+  std::vector<WayEnd> out;
+  for (const double back_m : up_to_m(length(SteeredPath(way.path.begin(), end)), length(left)))
+    out.push_back(backed_out(left, back_m));
+  return out;
+}
+
+std::vector<WayEnd> Connector::less_backed_in(const Way& way, const SteeredPath& entered) const {
+  if (!way.backs_in) return {straight_in(entered.front().start)};
+  const auto begin = std::ranges::find_if_not(way.path.rbegin(), way.path.rend(), reverses).base();
+  std::vector<WayEnd> out;
+  for (const double back_m : up_to_m(length(SteeredPath(begin, way.path.end())), length(entered)))
+    out.push_back(backed_in(entered, back_m));
+  return out;
+}
+
 Way Connector::with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const {
-  assert(way.has_room());
-  const auto reverse = [](const SteeredStretch& stretch) { return stretch.gear == Gear::kReverse; };
-  const auto out_end = std::ranges::find_if_not(way.path, reverse);
-  const auto in_begin = std::ranges::find_if_not(way.path.rbegin(), way.path.rend(), reverse).base();
-  if (out_end == way.path.end()) return way;  // it never goes forward: it backs as far as it is long
-  std::vector<WayEnd> begins, ends;
-  if (way.backs_out) {
-    for (const double back_m : up_to_m(length(SteeredPath(way.path.begin(), out_end)), length(left)))
-      begins.push_back(backed_out(left, back_m));
-  } else {
-    begins.push_back(straight_out(end_of(left)));
-  }
-  if (way.backs_in) {
-    for (const double back_m : up_to_m(length(SteeredPath(in_begin, way.path.end())), length(entered)))
-      ends.push_back(backed_in(entered, back_m));
-  } else {
-    ends.push_back(straight_in(entered.front().start));
-  }
-  const auto found = searched(begins, ends, way.backs_out ? 0 : 1, {way.cost_s, nullptr});
+  assert(way.has_room() && !left.empty() && !entered.empty());
+  if (std::ranges::all_of(way.path, reverses)) return way;  // it backs as far as it is long
+  const auto found = searched(less_backed_out(way, left), less_backed_in(way, entered), way.backs_out ? 0 : 1,
+                              {way.cost_s, nullptr});
   return found ? *found : way;
 }
 
@@ -306,7 +311,11 @@ std::vector<WayEnd> any_heading(Point at) {
 
 Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
   const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered, Backing::kNear);
-  if (auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr})) return std::move(*way);
+  if (auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr})) {
+    if (!way->backs_in || std::ranges::all_of(way->path, reverses)) return std::move(*way);
+    auto less = searched(begins, less_backed_in(*way, entered), begins.size(), {way->cost_s, nullptr});
+    return less ? std::move(*less) : std::move(*way);
+  }
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
   return without_room({gate, towards}, start);
@@ -314,7 +323,11 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
   const std::vector<WayEnd> begins = ways_out(left, Backing::kNear), ends = any_heading(gate);
-  if (auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr})) return std::move(*way);
+  if (auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr})) {
+    if (!way->backs_out || std::ranges::all_of(way->path, reverses)) return std::move(*way);
+    auto less = searched(less_backed_out(*way, left), ends, 0, {way->cost_s, nullptr});
+    return less ? std::move(*less) : std::move(*way);
+  }
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);
   return without_room(end, {gate, towards});

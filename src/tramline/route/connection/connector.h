@@ -48,10 +48,10 @@ class Connector {
 
   /// A way of less cost that backs less far out of the one path or into the other, or else the way itself: a
   /// way is found with a few distances to back, and this one with what lies between two of these.
-  /// Precondition: the way leads from `left` to `entered` and has room.
+  /// Precondition: the way leads from `left` to `entered`, neither of them empty, and has room.
   Way with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const;
 
-  /// As between() from a place, with any heading, or to one: at a gate.
+  /// As between() from a place, with any heading, or to one: at a gate. It backs no farther than it has to.
   Way from_gate(Point gate, const SteeredPath& entered) const;
   Way to_gate(const SteeredPath& left, Point gate) const;
 
@@ -91,6 +91,10 @@ class Connector {
   double backing_s(double back_m) const;
   std::vector<WayEnd> ways_out(const SteeredPath& left, Backing backing) const;
   std::vector<WayEnd> ways_in(const SteeredPath& entered, Backing backing) const;
+  /// Ends that are backed to by less than on the way that was found, and by as much; the end itself where it
+  /// does not back there.
+  std::vector<WayEnd> less_backed_out(const Way& way, const SteeredPath& left) const;
+  std::vector<WayEnd> less_backed_in(const Way& way, const SteeredPath& entered) const;
   WayEnd backed_out(const SteeredPath& left, double back_m) const;
   WayEnd backed_in(const SteeredPath& entered, double back_m) const;
   /// Distances in even steps from the one tried before `back_m` up to it.

@@ -46,6 +46,11 @@ std::vector<Manoeuvre> reversing(const Pose& from, const Pose& to, const TurnCur
   return out;
 }
 
+/// A drawbar folds up in reverse.
+bool turns_in_reverse(const Turning& turning) {
+  return turning.reverse && !(turning.implement == Coupling::kTowed && turning.drawbar_m > 0);
+}
+
 void sort_by_time(std::vector<Manoeuvre>& manoeuvres, const Machine& machine) {
   const auto key = [&](const Manoeuvre& m) {
     return std::tuple(std::llround(seconds(m, machine) / kEqualAmount), gear_changes(m), m.kind, m.word);
@@ -63,7 +68,7 @@ std::vector<Manoeuvre> manoeuvres_between(const Pose& from, const Pose& to, cons
   std::vector<Manoeuvre> out = dubins_words(from, to, curves.forward);
   add_manoeuvres(out, u_turn(from, to, curves.forward));
   add_manoeuvres(out, lead_and_turn(from, to, curves.forward));
-  if (machine.turning.reverse) add_manoeuvres(out, reversing(from, to, curves));
+  if (turns_in_reverse(machine.turning)) add_manoeuvres(out, reversing(from, to, curves));
   drop_repeated(out);  // the first keeps its name
   sort_by_time(out, machine);
   return out;

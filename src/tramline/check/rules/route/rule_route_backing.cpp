@@ -15,7 +15,7 @@ namespace {
 /// Places along a leg that backs out are so far apart, m.
 constexpr double kBackedBy_m = 1;
 /// No machine backs along what it has driven longer ago, m.
-constexpr double kLookedBack_m = 2000;
+constexpr double kLookedBack_m = 20000;
 
 /// How far places are off the lines of legs, each at its nearest.
 class OffLines {
