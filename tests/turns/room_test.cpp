@@ -7,6 +7,7 @@
 
 #include "tramline/turns/outline/swept_reach.h"
 #include "tramline/turns/room/allowed_land.h"
+#include "tramline/turns/room/part_sweep.h"
 #include "tramline/turns/room/places_off.h"
 
 namespace tramline {
@@ -190,6 +191,23 @@ TEST(Room, ATowedBarCutsTheCornerAndSwingsWide) {
 }
 
 // A bar of 4 m driven north out of a field that ends 5 m ahead, and past a pole on its right.
+// What rounding leaves of an arc, about 1e-16 m, has no centre to compute with: edges that the part does not
+// touch where it stands are not met.
+TEST(PartSweep, OfNextToNoMotionIsThePart) {
+  const Box part{-0.5, -4.5, 6, 4.5};
+  for (const double way : {0.0, 3.4e-16, -2e-13, 1e-11})
+    for (const double turn : {5.6e-17, -5.6e-17, 3e-15, -1e-12, 1e-10}) {
+      const PartSweep sweep(part, {placed(kNorthwards), way, turn});
+      EXPECT_TRUE(sweep.meets({2, -9}, {3, 9}));
+      for (const double off_m : {1e-6, 0.1, 3.0, 40.0}) {
+        EXPECT_FALSE(sweep.meets({6 + off_m, -70}, {6 + off_m, 80})) << way << " " << turn;
+        EXPECT_FALSE(sweep.meets({-0.5 - off_m, -70}, {-0.5 - off_m, 80})) << way << " " << turn;
+        EXPECT_FALSE(sweep.meets({-60, 4.5 + off_m}, {90, 4.5 + off_m})) << way << " " << turn;
+        EXPECT_FALSE(sweep.meets({-60, -4.5 - off_m}, {90, -4.5 - off_m})) << way << " " << turn;
+      }
+    }
+}
+
 TEST(PlacesOff, AreThoseBeyondTheEdges) {
   Polygon field = rectangle(-10, -1, 10, 5);
   field.holes.push_back({{1.4, 2.9}, {1.4, 3.1}, {1.6, 3.1}, {1.6, 2.9}});

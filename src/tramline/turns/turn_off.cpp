@@ -11,6 +11,8 @@ namespace tramline {
 namespace {
 
 constexpr double kQuarter_rad = std::numbers::pi / 2;
+/// Arcs of less are not driven, m.
+constexpr double kNoArc_m = 1e-9;
 
 /// A quarter turn. While the machine steers at its full rate the curvature grows evenly with the way; where a
 /// quarter turn ends before the smallest circle is reached it steers back at once.
@@ -23,7 +25,9 @@ void append_quarter_turn(const Machine& machine, double sense, SteeredPath& path
     curvature *= share;
     steering_m *= share;
   }
-  const double arc_m = std::max(0.0, kQuarter_rad / curvature - steering_m);
+  // Rounding leaves none where there is none.
+  const double rest_m = kQuarter_rad / curvature - steering_m;
+  const double arc_m = rest_m > kNoArc_m ? rest_m : 0;
   const auto append = [&](double length_m, double from, double to) {
     if (length_m > 0) path.push_back({end_of(path.back()), length_m, sense * from, sense * to});
   };

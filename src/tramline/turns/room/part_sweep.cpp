@@ -27,12 +27,21 @@ bool segment_meets(const Box& box, Point a, Point along) {
 
 Point across_axis(Point p) { return {p.x, -p.y}; }
 
+/// A motion whose turning takes no corner farther, m, counts as straight: less than what is rounded away of
+/// coordinates says nothing about where its centre is.
+constexpr double kNoTurn_m = 1e-9;
+
+double turn_of(const Box& part, const EvenMotion& motion) {
+  const double turn = std::abs(motion.turn_rad);
+  return turn * farthest_corner_m(part) < kNoTurn_m ? 0 : turn;
+}
+
 }  // namespace
 
 PartSweep::PartSweep(const Box& part, const EvenMotion& motion)
     : mirrored_(motion.turn_rad < 0),
       way_(motion.way_m),
-      turn_(std::abs(motion.turn_rad)),
+      turn_(turn_of(part, motion)),
       part_(mirrored_ ? Box{part.min_x, -part.max_y, part.max_x, -part.min_y} : part),
       swept_(part_),
       moved_(displacement({motion.start, way_, turn_})),
