@@ -129,6 +129,23 @@ TEST(PlannedRoutes, are_bounded_with_their_stops_where_these_are_priced) {
   EXPECT_GT(plan.route.proof.bound_s, sums.time_s);
 }
 
+// The axle is 4 m ahead of a bar as long as half the field is wide: it can neither leave a track nor come to
+// the next without a stop, from whatever side the gate lies.
+TEST(PlannedRoutes, are_bounded_with_both_stops_of_implements_behind_the_axle) {
+  Machine of = machine(12, 1);
+  of.turning.implement_offset_m = 4;
+  PlanSettings settings = whole_route(0);
+  settings.boundary = EdgeKind::kHard;
+  settings.aim = Aim::kWholeCost;
+  settings.guide = {{0.5, 0}, {0.5, 41}};
+  settings.route.end = Point{25, 10};
+  const Field field = field_of(box(0, 0, 25, 41));
+  expect_route_holds(field, of, settings);
+  const Plan plan = plan_field(field, of, {}, settings);
+  EXPECT_GE(sums_of(plan.route).back_outs, 2U);
+  EXPECT_GT(plan.route.proof.bound_s, 2 * plan.route.proof.stop_s);
+}
+
 // On a strip of 26 m the machine turns aside from a track along it to the pass along the edge only if it
 // backs first, which the bound counts: were it not for that stop it would lie below 0.87 of the route.
 TEST(PlannedRoutes, are_bounded_with_the_stop_before_a_closed_pass) {

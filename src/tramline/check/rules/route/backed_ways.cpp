@@ -143,7 +143,7 @@ struct Search {
 
 }  // namespace
 
-Pose WayEnd::backed(double by_m) const { return pose_of(course->axle(from_m + sense * by_m)); }
+Pose WayEnd::backed(double by_m) const { return pose_of(course->line().place(from_m + sense * by_m)); }
 
 std::vector<TurnedRound> turned_round(const WayEnd& from, const WayEnd& to) {
   std::vector<TurnedRound> out;
