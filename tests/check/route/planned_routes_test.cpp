@@ -258,6 +258,22 @@ TEST(PlannedRoutes, hold_for_machines_that_carry_tow_and_reverse) {
   expect_route_holds(l_shape(), of, whole_route(0));
 }
 
+// Its hitch swings through metres while the axle turns on the spot; and where the land ends with the track,
+// the drawbar has no room beyond it, so that all ends are stops.
+TEST(PlannedRoutes, hold_for_machines_that_turn_within_their_drawbar) {
+  Machine of = machine(6, 0);
+  of.turning.implement_offset_m = 4;
+  of.turning.implement = Coupling::kTowed;
+  of.turning.drawbar_m = 6;
+  PlanSettings settings = whole_route(0);
+  expect_route_holds(field_of(box(0, 0, 90, 60)), of, settings);
+  settings.boundary = EdgeKind::kHard;
+  settings.guide = {{3, 0}, {3, 60}};
+  expect_route_holds(field_of(box(0, 0, 90, 60)), of, settings);
+  const Plan plan = plan_field(field_of(box(0, 0, 90, 60)), of, {}, settings);
+  EXPECT_EQ(plan.tally.stops, 2 * plan.tally.pieces);
+}
+
 // Where the axle is ahead of the implement, its places on a pass are others one way round than the other.
 TEST(PlannedRoutes, hold_round_closed_passes_with_an_implement_behind_the_axle) {
   for (const double wide_m : {85.0, 121.0})

@@ -6,7 +6,7 @@
 namespace tramline::check {
 namespace {
 
-/// A towed implement is drawn in steps no longer than this, m.
+/// A towed implement is drawn in steps in which its hitch moves no farther than this, m.
 constexpr double kDrawn_m = 0.005;
 /// The machine turns by no more than this in one step, rad: by Simpson's rule its place is then off by
 /// 1e-8 of the step at the most.
@@ -75,7 +75,10 @@ class Drawn {
 /// The four sides of a rectangle, or its one side where it has no depth.
 void add_rectangle(Point middle, Point ahead, double forward_m, double back_m, double width_m,
                    std::vector<Side>& out) {
-  if (width_m <= 0) return;
+  if (width_m <= 0) {
+    if (forward_m + back_m > 0) out.push_back({middle + forward_m * ahead, middle - back_m * ahead});
+    return;
+  }
   const Point across = 0.5 * width_m * left_of(ahead);
   const Point front = middle + forward_m * ahead, rear = middle - back_m * ahead;
   out.push_back({front + across, front - across});
@@ -103,7 +106,8 @@ std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& m
     if (!(stretch.length_m > 0)) continue;
     // Straight on behind the machine an implement follows in one step.
     const bool follows = !towed || (tightest == 0 && drawn.in_line());
-    const double within = follows ? 1 : std::max(1.0, std::ceil(stretch.length_m / steps / kDrawn_m));
+    const double hitch_m = stretch.length_m * (1 + tightest * std::abs(machine.turning.implement_offset_m));
+    const double within = follows ? 1 : std::max(1.0, std::ceil(hitch_m / steps / kDrawn_m));
     const double each_m = stretch.length_m / (steps * within);
     for (double i = 0; i < steps; ++i) {
       for (double k = 0; k < within; ++k) {
@@ -121,6 +125,8 @@ std::vector<Side> outline_at(const MachinePlace& place, const Machine& machine) 
   std::vector<Side> out;
   add_rectangle(place.implement, place.implement_ahead, 0, turning.rear_overhang_m, machine.width_m, out);
   add_rectangle(place.axle, place.ahead, turning.front_overhang_m, 0, turning.vehicle_width_m, out);
+  if (turning.implement == Coupling::kTowed && turning.drawbar_m > 0)
+    out.push_back({place.implement, place.implement + turning.drawbar_m * place.implement_ahead});
   return out;
 }
 

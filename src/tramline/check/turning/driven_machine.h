@@ -24,7 +24,7 @@ struct MachinePlace {
 /// as the steps become small. Where it turns sharply, steps are shorter. O(length/step).
 std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& machine, double step_m);
 
-/// The outline of the vehicle and its implement.
+/// The outline of the vehicle, its implement, and the drawbar between them.
 std::vector<Side> outline_at(const MachinePlace& place, const Machine& machine);
 
 }  // namespace tramline::check
