@@ -118,5 +118,20 @@ TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
   });
 }
 
+// Along the machine's own circle there is a way of 12 m. By a rounded coordinate the next place lies inside
+// it, and no machine of that radius gets there but by another circle or two.
+TEST(LeastSeconds, OfProofsAreNotThoseOfACircleMoreByRounding) {
+  Machine machine;
+  machine.radius_m = 10;
+  const LeastSeconds least = LeastSeconds::for_proofs(machine, 100);
+  const Pose from{{3, 4}, Heading::clockwise_from_north(Angle::degrees(20))};
+  for (const double inside_m : {0.0, 1e-12, 1e-9, 1e-7}) {
+    Pose to = tramline::end_of(arc_from(from, 12, 0.1, Gear::kForward));
+    to.at = to.at + inside_m * left_of(to.heading.unit());
+    EXPECT_LE(least.between(from, to), 12 / machine.turning.turning_speed_mps + 1e-3) << inside_m;
+    EXPECT_GE(least.between(from, to), 11.99 / machine.turning.turning_speed_mps) << inside_m;
+  }
+}
+
 }  // namespace
 }  // namespace tramline

@@ -118,7 +118,7 @@ RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLin
                        const order::Tour& tour, const Route& route) {
   RouteProof out;
   out.stop_s = counted_stop_s(task);
-  const LeastSeconds least(task.machine, out.stop_s);
+  const LeastSeconds least = LeastSeconds::for_proofs(task.machine, out.stop_s);
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   const RouteSums sums = sums_of(route);
   const double whole_s = sums.time_s + out.stop_s * static_cast<double>(sums.back_outs);

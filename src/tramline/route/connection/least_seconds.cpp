@@ -9,6 +9,13 @@
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
+namespace {
+
+/// A tighter machine has shorter ways: by this share.
+constexpr double kTighter = 1e-7;
+
+}  // namespace
+
 LeastSeconds::LeastSeconds(const Machine& machine, double stop_s)
     : turning_(machine.turning),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
@@ -16,6 +23,12 @@ LeastSeconds::LeastSeconds(const Machine& machine, double stop_s)
       changes_s_(2 * turning_.gear_change_s + (turning_.reverse ? 0 : stop_s)),
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps) {}
+
+LeastSeconds LeastSeconds::for_proofs(const Machine& machine, double stop_s) {
+  Machine tighter = machine;
+  tighter.radius_m = (1 - kTighter) * std::max(machine.radius_m, kLeastRadius_m);
+  return LeastSeconds(tighter, stop_s);
+}
 
 double LeastSeconds::forward(const Pose& left, double lift_m, const Pose& entered, double lower_m) const {
   const double forward_m =

@@ -15,6 +15,10 @@ class LeastSeconds {
  public:
   /// `stop_s`: what a stop to back out counts besides its time.
   explicit LeastSeconds(const Machine& machine, double stop_s = 0);
+  /// The same, whatever is rounded. Between places of passes that turn as tightly as the machine the shortest
+  /// way turns on their circles, and where a rounded coordinate lies inside one it leads once round instead.
+  /// A slightly tighter machine has no such ways, and none that are longer.
+  static LeastSeconds for_proofs(const Machine& machine, double stop_s);
 
   /// From the axle's pose where one work ends to that where another begins. O(1), allocates nothing.
   double between(const Pose& left, const Pose& entered) const;
