@@ -109,10 +109,11 @@ Point TowedMotion::drawbar_at(std::size_t stretch, double after_m, const Placeme
   const SteeredStretch& on = path_[stretch];
   if (!on.clothoid()) return drawbar_on_circle(stretch, after_m, machine);
   const Start& start = starts_[stretch];
-  if (start.angles_rad.empty()) return start.drawbar;
-  const auto place = std::min(static_cast<std::size_t>(after_m / start.step_m), start.angles_rad.size() - 1);
+  if (start.bent.empty()) return start.drawbar;
+  const auto place = std::min(static_cast<std::size_t>(after_m / start.step_m), start.bent.size() - 1);
   const double from = static_cast<double>(place) * start.step_m;
-  return turned(machine.ahead, -drawbar_step(on, start.angles_rad[place], from, after_m - from));
+  const Point bent = drawbar_step(on, start.bent[place], from, after_m - from);
+  return bent.x * machine.ahead - bent.y * left_of(machine.ahead);
 }
 
 Point TowedMotion::drawbar_on_circle(std::size_t stretch, double after_m, const Placement& machine) const {
@@ -146,20 +147,21 @@ Point TowedMotion::drawbar_on_circle(std::size_t stretch, double after_m, const 
   return cosine_after * direction - sine_after * left_of(direction);
 }
 
-/// The angle after a step on a clothoid, by the rule of Runge and Kutta. By the way s of the machine's axle,
-/// and with b from the drawbar to the machine's heading, db/ds = κ − (sin b − κ l cos b)/L.
-double TowedMotion::drawbar_step(const SteeredStretch& on, double angle_rad, double from_m,
-                                 double step_m) const {
-  const auto rate = [&](double after, double angle) {
+/// The angle b from the drawbar to the machine's heading, as (cos b, sin b), after a step on a clothoid, by
+/// the rule of Runge and Kutta. By the way s of the machine's axle db/ds = κ − (sin b − κ l cos b)/L, and the
+/// vector turns by as much: no sine has to be computed.
+Point TowedMotion::drawbar_step(const SteeredStretch& on, Point bent, double from_m, double step_m) const {
+  const auto rate = [&](double after, Point at) {
     const double curvature = curvature_at(on, from_m + after);
-    return curvature - (std::sin(angle) - curvature * hitch_m_ * std::cos(angle)) / drawbar_m_;
+    return (curvature - (at.y - curvature * hitch_m_ * at.x) / drawbar_m_) * left_of(at);
   };
   const double step = driving_sense(on.gear) * step_m;
-  const double k1 = rate(0, angle_rad);
-  const double k2 = rate(0.5 * step_m, angle_rad + 0.5 * step * k1);
-  const double k3 = rate(0.5 * step_m, angle_rad + 0.5 * step * k2);
-  const double k4 = rate(step_m, angle_rad + step * k3);
-  return angle_rad + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  const Point k1 = rate(0, bent);
+  const Point k2 = rate(0.5 * step_m, bent + 0.5 * step * k1);
+  const Point k3 = rate(0.5 * step_m, bent + 0.5 * step * k2);
+  const Point k4 = rate(step_m, bent + step * k3);
+  const Point out = bent + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  return (1 / length(out)) * out;
 }
 
 void TowedMotion::integrate(const SteeredStretch& on, Start& out) const {
@@ -168,10 +170,11 @@ void TowedMotion::integrate(const SteeredStretch& on, Start& out) const {
       tightest_curvature(on) + (1 + tightest_curvature(on) * std::abs(hitch_m_)) / drawbar_m_;
   const double steps = std::ceil(on.length_m * fastest / kDrawbarStep_rad) + 1;
   out.step_m = on.length_m / steps;
-  double angle = angle_from_to(out.drawbar, on.start.heading.unit());
+  const Point ahead = on.start.heading.unit();
+  Point bent{dot(out.drawbar, ahead), cross(out.drawbar, ahead)};
   for (double i = 0; i < steps; ++i) {
-    out.angles_rad.push_back(angle);
-    angle = drawbar_step(on, angle, i * out.step_m, out.step_m);
+    out.bent.push_back(bent);
+    bent = drawbar_step(on, bent, i * out.step_m, out.step_m);
   }
 }
 

@@ -62,14 +62,14 @@ class TowedMotion {
 
  private:
   struct Start {
-    Point drawbar;                     ///< unit vector
-    double step_m = 0;                 ///< of the places on a clothoid at which the angle is kept
-    std::vector<double> angles_rad{};  ///< from the drawbar to the machine's heading
+    Point drawbar;              ///< unit vector
+    double step_m = 0;          ///< of the places on a clothoid at which the angle is kept
+    std::vector<Point> bent{};  ///< from the drawbar to the machine's heading: cosine and sine
   };
   Placement implement_of(const Placement& machine, Point drawbar) const;
   Point drawbar_at(std::size_t stretch, double after_m, const Placement& machine) const;
   Point drawbar_on_circle(std::size_t stretch, double after_m, const Placement& machine) const;
-  double drawbar_step(const SteeredStretch& on, double angle_rad, double from_m, double step_m) const;
+  Point drawbar_step(const SteeredStretch& on, Point bent, double from_m, double step_m) const;
   void integrate(const SteeredStretch& on, Start& out) const;
   MotionPiece on_circle(std::size_t stretch, double from_m, double to_m) const;
   MotionPiece on_clothoid(std::size_t stretch, double from_m, double to_m) const;

@@ -77,7 +77,14 @@ bool machine_stays(const LandEdges& land, const SteeredPath& path, const std::ve
                      [&](const SteeredStretch& stretch) { return stretch_stays(land, stretch, parts); });
 }
 
+/// The drawbar reaches to the hitch, which moves with the machine: where that has no room the motion of the
+/// implement need not be known.
+bool hitch_stays(const LandEdges& land, const SteeredPath& path, const Outline& outline) {
+  return machine_stays(land, path, {{-outline.hitch_m, 0, -outline.hitch_m, 0}});
+}
+
 bool implement_stays(const LandEdges& land, const SteeredPath& path, const Outline& outline) {
+  if (!hitch_stays(land, path, outline)) return false;
   const TowedMotion towed(path, outline);
   if (!starts_on(land, outline.on_implement, towed.implement(0, 0))) return false;
   for (std::size_t i = 0; i < path.size(); ++i) {
