@@ -149,7 +149,7 @@ LONG := long-properties long-scenes long-best-bound long-bound-ways long-bound-d
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
-  long-turns-24 long-route-3 long-route-6 long-route-24 long-route-carried long-route-towed long-whole-plans long-maps long-order \
+  long-turns-24 long-route-3 long-route-6 long-route-24 long-route-carried long-route-towed long-machines long-whole-plans long-maps long-order \
   long-coverage long-task-sets long-manoeuvres long-watch long-serve long-kills long-page long-slow long-planted long-batch long-batch-dask long-qgis \
   long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
@@ -238,6 +238,9 @@ long-route-carried: sweeps ## the same of a tractor with an implement 6 m wide b
 	$(ROUTES) 6 6 carrying curated/2
 long-route-towed: sweeps ## the same of a tractor with a sprayer 27 m wide in tow
 	$(ROUTES) 27 8 towing
+
+long-machines: sweeps ## real fields planned for machines, with settings and between gates drawn at random: verified
+	printf '%s\n' 1 2 3 4 | xargs -P 2 -I SEED $(LIMIT) $(RELEASE)/tests/real/machines_real 250 SEED
 
 long-whole-plans: sweeps ## plans of least whole cost over real fields: cheaper than those by the cost of tracks, than random layouts, and than in the directions that were driven
 	$(LIMIT) $(RELEASE)/tests/real/whole_plans 6 6 forward 3 30
