@@ -208,6 +208,15 @@ TEST(PartSweep, OfNextToNoMotionIsThePart) {
     }
 }
 
+// The axle itself, on a quarter circle of 6 m: it passes 6 m (1 − cos 45°) beside its heading half-way.
+TEST(PartSweep, OfAPointIsItsWay) {
+  const PartSweep sweep({0, 0, 0, 0}, {placed(kNorthwards), 3 * kPi, 0.5 * kPi});
+  const double x = 6 * std::sin(0.25 * kPi), y = 6 * (1 - std::cos(0.25 * kPi));
+  EXPECT_TRUE(sweep.meets({x, y - 1}, {x, y + 1}));
+  EXPECT_FALSE(sweep.meets({x, -1}, {x, y - 1e-6}));
+  EXPECT_FALSE(sweep.meets({7, -1}, {7, 1})) << "where it would be had it gone straight on";
+}
+
 TEST(PlacesOff, AreThoseBeyondTheEdges) {
   Polygon field = rectangle(-10, -1, 10, 5);
   field.holes.push_back({{1.4, 2.9}, {1.4, 3.1}, {1.6, 3.1}, {1.6, 2.9}});

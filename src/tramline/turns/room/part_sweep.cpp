@@ -27,13 +27,13 @@ bool segment_meets(const Box& box, Point a, Point along) {
 
 Point across_axis(Point p) { return {p.x, -p.y}; }
 
-/// A motion whose turning takes no corner farther, m, counts as straight: less than what is rounded away of
-/// coordinates says nothing about where its centre is.
+/// A motion whose turning takes no corner farther aside, m, counts as straight: less than what is rounded
+/// away of coordinates says nothing about where its centre is.
 constexpr double kNoTurn_m = 1e-9;
 
 double turn_of(const Box& part, const EvenMotion& motion) {
   const double turn = std::abs(motion.turn_rad);
-  return turn * farthest_corner_m(part) < kNoTurn_m ? 0 : turn;
+  return turn * (farthest_corner_m(part) + std::abs(motion.way_m)) < kNoTurn_m ? 0 : turn;
 }
 
 }  // namespace
