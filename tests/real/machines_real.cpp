@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -30,10 +31,10 @@ namespace {
 namespace fs = std::filesystem;
 using Random = std::mt19937_64;
 
-/// Machines that drive farther than this over a field are left to the sweeps of one machine, m.
-constexpr double kMostTracks_m = 12000;
-/// Those that tow and take time to steer, of which ways take longest to find.
-constexpr double kMostTowed_m = 3000;
+/// Machines that would drive farther than this over a field are left to the sweeps of one machine, m; of
+/// those that tow or take time to steer, whose ways take longest to find, those that would drive so far.
+constexpr double kMostTracks_m = 12000, kMostTowed_m = 3000;
+constexpr std::array kWidths_m = {1.5, 3.0, 4.5, 6.0, 9.0, 12.0, 18.0, 24.0, 36.0};
 
 bool one_in(Random& random, int count) { return any_of(random, 1, count) == 1; }
 
@@ -68,8 +69,10 @@ Machine random_machine(Random& random, double area_m2) {
   out.radius_m = one_of(random, std::array{0.0, 1.0, 2.0, 3.0, 5.0, 6.0, 8.0, 10.0, 12.0});
   out.turning = random_turning(random);
   const bool slow = out.turning.implement == Coupling::kTowed || out.turning.steering_time_s > 0;
-  do out.width_m = one_of(random, std::array{1.5, 3.0, 4.5, 6.0, 9.0, 12.0, 18.0, 24.0, 36.0});
-  while (area_m2 / out.width_m > (slow ? kMostTowed_m : kMostTracks_m) && area_m2 / 36 < kMostTowed_m);
+  // The widest for fields that are too large for all of them.
+  const double least_m = std::min(area_m2 / (slow ? kMostTowed_m : kMostTracks_m), kWidths_m.back());
+  do out.width_m = one_of(random, kWidths_m);
+  while (out.width_m < least_m);
   if (one_in(random, 8)) out.min_length_m = uniform(random, 0, 40);
   out.rates.operation = static_cast<Operation>(any_of(random, 0, static_cast<int>(Operation::kDrone)));
   return out;
@@ -96,6 +99,7 @@ PlanSettings random_settings(Random& random, const Field& field) {
   if (one_in(random, 6)) out.clearance_m = uniform(random, 0, 2);
   if (one_in(random, 6)) out.avoid = Avoidance::kCut;
   if (one_in(random, 6)) out.turn_room_m = uniform(random, 0, 10);
+  if (out.turns != TurnPlanning::kRoute) return out;
   if (one_in(random, 5)) out.route.passes = PassTime::kFirst;
   const auto corner = [&] {
     return field.outer[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(field.outer.size()) - 1))];
@@ -139,7 +143,10 @@ Fared plan_and_verify(const Field& field, int number, Random random) {
     io::write_plan(plan, file);
     faults = faults_of_file(file, field);
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) add_failure(error, faults);
+    if (error.kind() == ErrorKind::kBadInput)
+      fmt::print("  {}\n", error.what());
+    else
+      add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);

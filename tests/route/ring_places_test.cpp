@@ -120,10 +120,10 @@ TEST(RingPlaces, OfTwoRingsAreReachedNoSoonerThanAllPlacesCloseTogether) {
 
 // Along the machine's own circle there is a way of 12 m. By a rounded coordinate the next place lies inside
 // it, and no machine of that radius gets there but by another circle or two.
-TEST(LeastSeconds, OfProofsAreNotThoseOfACircleMoreByRounding) {
+TEST(LeastSeconds, OfASlightlyTighterMachineHaveNoCircleByRounding) {
   Machine machine;
   machine.radius_m = 10;
-  const LeastSeconds least = LeastSeconds::for_proofs(machine, 100);
+  const LeastSeconds least(slightly_tighter(machine), 100);
   const Pose from{{3, 4}, Heading::clockwise_from_north(Angle::degrees(20))};
   for (const double inside_m : {0.0, 1e-12, 1e-9, 1e-7}) {
     Pose to = tramline::end_of(arc_from(from, 12, 0.1, Gear::kForward));

@@ -66,7 +66,9 @@ TEST(ManoeuvreChoice, NothingOnADrawbarIsReversed) {
   machine.turning.drawbar_m = 3;
   const auto all = manoeuvres_between(kEndOfWork, pose(3, 0, 180), machine);
   ASSERT_FALSE(all.empty());
-  for (const Manoeuvre& manoeuvre : all) EXPECT_EQ(gear_changes(manoeuvre), 0) << manoeuvre.word;
+  for (const Manoeuvre& manoeuvre : all)
+    for (const SteeredStretch& stretch : manoeuvre.path)
+      EXPECT_EQ(stretch.gear, Gear::kForward) << manoeuvre.word;
 }
 
 TEST(ManoeuvreChoice, StaggeredEndsHaveTheLeadAndTheArcs) {

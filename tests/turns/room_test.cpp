@@ -190,7 +190,6 @@ TEST(Room, ATowedBarCutsTheCornerAndSwingsWide) {
   }
 }
 
-// A bar of 4 m driven north out of a field that ends 5 m ahead, and past a pole on its right.
 // What rounding leaves of an arc, about 1e-16 m, has no centre to compute with: edges that the part does not
 // touch where it stands are not met.
 TEST(PartSweep, OfNextToNoMotionIsThePart) {
@@ -217,6 +216,7 @@ TEST(PartSweep, OfAPointIsItsWay) {
   EXPECT_FALSE(sweep.meets({7, -1}, {7, 1})) << "where it would be had it gone straight on";
 }
 
+// A bar of 4 m driven north out of a field that ends 5 m ahead, and past a pole on its right.
 TEST(PlacesOff, AreThoseBeyondTheEdges) {
   Polygon field = rectangle(-10, -1, 10, 5);
   field.holes.push_back({{1.4, 2.9}, {1.4, 3.1}, {1.6, 3.1}, {1.6, 2.9}});

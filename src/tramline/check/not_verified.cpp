@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tramline/check/rules/rules.h"
+#include "tramline/check/turning/driven_machine.h"
 #include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
@@ -102,8 +103,7 @@ void add_route(const Plan& plan, Names& out) {
   if (!plan.route.planned()) return;
   out.emplace_back("settings.route.order");
   const Turning& turning = plan.machine.turning;
-  if (turning.implement != Coupling::kTowed || !(turning.drawbar_m > 0))
-    out.emplace_back("route_legs.lateral_error_m");
+  if (!tows(turning)) out.emplace_back("route_legs.lateral_error_m");
 }
 
 constexpr const char* kRepairs = "field.repairs";

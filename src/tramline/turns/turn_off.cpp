@@ -11,8 +11,6 @@ namespace tramline {
 namespace {
 
 constexpr double kQuarter_rad = std::numbers::pi / 2;
-/// Arcs of less are not driven, m.
-constexpr double kNoArc_m = 1e-9;
 
 /// A quarter turn. While the machine steers at its full rate the curvature grows evenly with the way; where a
 /// quarter turn ends before the smallest circle is reached it steers back at once.
@@ -25,9 +23,7 @@ void append_quarter_turn(const Machine& machine, double sense, SteeredPath& path
     curvature *= share;
     steering_m *= share;
   }
-  // Rounding leaves none where there is none.
-  const double rest_m = kQuarter_rad / curvature - steering_m;
-  const double arc_m = rest_m > kNoArc_m ? rest_m : 0;
+  const double arc_m = std::max(0.0, kQuarter_rad / curvature - steering_m);
   const auto append = [&](double length_m, double from, double to) {
     if (length_m > 0) path.push_back({end_of(path.back()), length_m, sense * from, sense * to});
   };

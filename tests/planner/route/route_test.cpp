@@ -10,93 +10,28 @@
 #include <random>
 #include <vector>
 
+#include "planner/route/sound_route.h"
 #include "properties/seeds.h"
-#include "support/off_the_land.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
 namespace {
 
+using testing::box;
+using testing::end_of;
+using testing::expect_all_driven;
+using testing::expect_joined;
+using testing::expect_on_the_land;
+using testing::expect_sound;
 using testing::for_each_seed;
-using testing::off_the_land_m;
 using testing::random_field;
-
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
-
-Field rectangle(double width_m, double height_m) {
-  Field field;
-  field.id = "rectangle";
-  field.outer = box(0, 0, width_m, height_m);
-  return field;
-}
+using testing::rectangle;
+using testing::whole_route;
 
 Field with_obstacle(Field field, const Ring& ring, ObstacleKind kind) {
   field.obstacles.push_back({{ring, {}}, kind, "drawn"});
   return field;
-}
-
-PlanSettings whole_route(int headlands) {
-  PlanSettings settings;
-  settings.turns = TurnPlanning::kRoute;
-  settings.headlands = settings.obstacle_headlands = headlands;
-  return settings;
-}
-
-Pose end_of(const RouteLeg& leg) { return tramline::end_of(leg.path.back()); }
-
-/// Each leg begins in the pose in which the one before it ends, and in one gear.
-void expect_joined(const Plan& plan) {
-  const std::vector<RouteLeg>& legs = plan.route.legs;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    ASSERT_FALSE(legs[i].path.empty()) << "leg " << i;
-    for (const SteeredStretch& stretch : legs[i].path) EXPECT_EQ(stretch.gear, legs[i].gear) << "leg " << i;
-    if (i == 0) continue;
-    const Pose before = end_of(legs[i - 1]), after = legs[i].path.front().start;
-    EXPECT_LT(distance(before.at, after.at), 1e-6) << "leg " << i;
-    EXPECT_GT(dot(before.heading.unit(), after.heading.unit()), 1 - 1e-9) << "leg " << i;
-  }
-}
-
-/// Every piece once, in the order of the plan, and every pass once, whole.
-void expect_all_driven(const Plan& plan) {
-  std::size_t next = 0;
-  std::vector<double> of_passes(plan.headland.passes.size(), 0);
-  for (const RouteLeg& leg : plan.route.legs) {
-    if (leg.kind == LegKind::kWork) {
-      ASSERT_EQ(leg.piece, next) << "pieces are not in order";
-      EXPECT_NEAR(length(leg), length(plan.pieces[next]), 1e-6);
-      ++next;
-    }
-    if (leg.pass) of_passes[*leg.pass] += length(leg);
-    EXPECT_EQ(leg.work, leg.kind == LegKind::kWork || leg.kind == LegKind::kHeadland);
-  }
-  EXPECT_EQ(next, plan.pieces.size());
-  for (std::size_t i = 0; i < of_passes.size(); ++i)
-    EXPECT_NEAR(of_passes[i], length(plan.headland.passes[i].path), 1e-5) << "pass " << i;
-}
-
-/// Beyond a soft boundary without headland the machine may turn.
-void expect_on_the_land(const Plan& plan) {
-  Field land = plan.field;
-  if (plan.settings.boundary == EdgeKind::kSoft && plan.settings.headlands == 0) {
-    const Box all = bounds(land.outer).grown(1000);
-    land.outer = box(all.min_x, all.min_y, all.max_x, all.max_y);
-  }
-  for (const RouteLeg& leg : plan.route.legs)
-    if (!leg.work && leg.missing_m == 0) {
-      EXPECT_LT(off_the_land_m(land, plan.machine.width_m, leg.path), 0.005) << name(leg.kind);
-    }
-}
-
-void expect_sound(const Plan& plan) {
-  expect_joined(plan);
-  expect_all_driven(plan);
-  const double time_s = sums_of(plan.route).time_s;
-  EXPECT_LE(plan.route.proof.bound_s, time_s * (1 + 1e-9));
-  EXPECT_GT(plan.route.proof.bound_s, 0);
 }
 
 // Ten tracks 12 m apart, r = 6: every turn is half a circle, 18.85 m, which no way between two tracks can
@@ -155,48 +90,6 @@ TEST(Route, WorksHeadlandPassesFirstOrLast) {
     EXPECT_EQ(work.front() == LegKind::kHeadland, time == PassTime::kFirst);
     EXPECT_EQ(work.back() == LegKind::kHeadland, time == PassTime::kLast);
     EXPECT_TRUE(std::is_sorted(work.begin(), work.end()) || std::is_sorted(work.rbegin(), work.rend()));
-  }
-}
-
-TEST(Route, StartsAndEndsAtGates) {
-  PlanSettings settings = whole_route(3);
-  settings.route.start = Point{20, 20};
-  settings.route.end = Point{280, 20};
-  const Plan plan = plan_field(rectangle(300, 150), {"", 6, 5}, {}, settings);
-  expect_sound(plan);
-  expect_on_the_land(plan);
-  EXPECT_LT(distance(plan.route.legs.front().path.front().start.at, {20, 20}), 1e-6);
-  EXPECT_LT(distance(end_of(plan.route.legs.back()).at, {280, 20}), 1e-6);
-  EXPECT_EQ(plan.route.legs.front().kind, LegKind::kTransit);
-}
-
-// A machine with a bar of 6 m has no room at a gate on the edge: the route begins as near as it has.
-TEST(Route, BeginsBesideAGateOnTheEdge) {
-  PlanSettings settings = whole_route(3);
-  settings.route.start = Point{150, 0};
-  const Plan plan = plan_field(rectangle(300, 150), {"", 6, 5}, {}, settings);
-  ASSERT_TRUE(plan.settings.route.start);
-  const Point start = plan.route.legs.front().path.front().start.at;
-  EXPECT_EQ(start, *plan.settings.route.start);
-  EXPECT_LE(distance(start, {150, 0}), 4);
-  expect_on_the_land(plan);
-}
-
-// Between its edges no machine of 3 m turns on land 4 m wide: from a gate beside the middle of its only track
-// it backs to where the track begins, and back to the gate from where it ends.
-TEST(Route, BacksFromAGateToTheBeginningOfATrack) {
-  for (const bool reverse : {false, true}) {
-    PlanSettings settings = whole_route(0);
-    settings.boundary = EdgeKind::kHard;
-    settings.route.start = settings.route.end = Point{2, 30};
-    Machine machine{"", 3, 6};
-    machine.turning.reverse = reverse;
-    const Plan plan = plan_field(rectangle(4, 60), machine, {}, settings);
-    expect_sound(plan);
-    expect_on_the_land(plan);
-    const RouteSums sums = sums_of(plan.route);  // half of the track before it is worked, and half afterwards
-    EXPECT_NEAR(sums.reverse_m, 60, 4);
-    EXPECT_NEAR(sums.not_working_m(), 60, 8);
   }
 }
 

@@ -53,7 +53,7 @@ class Drawn {
   void move(const Motion& to) {
     place_.axle = to.at;
     place_.ahead = {std::cos(to.heading), std::sin(to.heading)};
-    if (turning_.implement == Coupling::kTowed && turning_.drawbar_m > 0) {
+    if (tows(turning_)) {
       const Point bar = hitch(to) - place_.implement;
       place_.implement_ahead = (1 / length(bar)) * bar;
       place_.implement = hitch(to) - turning_.drawbar_m * place_.implement_ahead;
@@ -90,6 +90,8 @@ void add_rectangle(Point middle, Point ahead, double forward_m, double back_m, d
 
 }  // namespace
 
+bool tows(const Turning& turning) { return turning.implement == Coupling::kTowed && turning.drawbar_m > 0; }
+
 std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& machine, double step_m) {
   std::vector<MachinePlace> out;
   if (path.empty()) return out;
@@ -97,7 +99,7 @@ std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& m
   Motion at{start.at, anticlockwise_from_east(start.heading)};
   Drawn drawn(machine, at);
   out.push_back(drawn.place());
-  const bool towed = machine.turning.implement == Coupling::kTowed;
+  const bool towed = tows(machine.turning);
   for (const SteeredStretch& stretch : path) {
     const double tightest =
         std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
@@ -125,7 +127,7 @@ std::vector<Side> outline_at(const MachinePlace& place, const Machine& machine) 
   std::vector<Side> out;
   add_rectangle(place.implement, place.implement_ahead, 0, turning.rear_overhang_m, machine.width_m, out);
   add_rectangle(place.axle, place.ahead, turning.front_overhang_m, 0, turning.vehicle_width_m, out);
-  if (turning.implement == Coupling::kTowed && turning.drawbar_m > 0)
+  if (tows(turning))
     out.push_back({place.implement, place.implement + turning.drawbar_m * place.implement_ahead});
   return out;
 }

@@ -12,6 +12,9 @@ namespace tramline::check {
 /// A straight part of the outline, from corner to corner.
 using Side = std::array<Point, 2>;
 
+/// Whether an implement follows the machine on a drawbar.
+bool tows(const Turning& turning);
+
 struct MachinePlace {
   Point axle;
   Point ahead;            ///< unit vector

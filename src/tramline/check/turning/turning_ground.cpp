@@ -148,7 +148,7 @@ Excursion TurningGround::deepest(const SteeredPath& path, const Machine& machine
   Excursion out;
   if (rings_.empty() || path.empty()) return out;
   const double outline_m = reach_m(machine);
-  const bool swings = machine.turning.implement == Coupling::kTowed && machine.turning.drawbar_m > 0;
+  const bool swings = tows(machine.turning);
   const bool straight = std::all_of(path.begin(), path.end(), [](const SteeredStretch& stretch) {
     return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
   });

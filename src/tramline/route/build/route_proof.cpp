@@ -108,7 +108,7 @@ std::optional<LeastBacking> least_backing(const RouteTask& task, const Route& ro
   for (const RouteLeg& leg : route.legs)
     if (leg.missing_m > 0) return std::nullopt;
   const bool followed = lines <= kMostLinesFollowed && sums_of(route).back_outs > 0;
-  return LeastBacking(task.field.outer, *beyond_m, task.machine, stop_s,
+  return LeastBacking(task.field.outer, *beyond_m, slightly_tighter(task.machine), stop_s,
                       followed ? LeastBacking::Places::kFollowed : LeastBacking::Places::kNotFollowed);
 }
 
@@ -118,7 +118,7 @@ RouteProof route_proof(const RouteTask& task, const std::vector<order::WorkedLin
                        const order::Tour& tour, const Route& route) {
   RouteProof out;
   out.stop_s = counted_stop_s(task);
-  const LeastSeconds least = LeastSeconds::for_proofs(task.machine, out.stop_s);
+  const LeastSeconds least(slightly_tighter(task.machine), out.stop_s);
   const double fixed_s = fixed_seconds(route.legs, lines, task.machine.turning);
   const RouteSums sums = sums_of(route);
   const double whole_s = sums.time_s + out.stop_s * static_cast<double>(sums.back_outs);

@@ -278,12 +278,17 @@ std::vector<WayEnd> Connector::less_backed_in(const Way& way, const SteeredPath&
   return out;
 }
 
+Way Connector::or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
+                          std::size_t backing_begins) const {
+  if (!way.backs_out && !way.backs_in) return way;
+  if (std::ranges::all_of(way.path, reverses)) return way;  // it backs as far as it is long
+  auto found = searched(begins, ends, backing_begins, {way.cost_s, nullptr});
+  return found ? std::move(*found) : way;
+}
+
 Way Connector::with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const {
   assert(way.has_room() && !left.empty() && !entered.empty());
-  if (std::ranges::all_of(way.path, reverses)) return way;  // it backs as far as it is long
-  const auto found = searched(less_backed_out(way, left), less_backed_in(way, entered), way.backs_out ? 0 : 1,
-                              {way.cost_s, nullptr});
-  return found ? *found : way;
+  return or_quicker(way, less_backed_out(way, left), less_backed_in(way, entered), way.backs_out ? 0 : 1);
 }
 
 Connector::WayToOne Connector::to_any(const SteeredPath& left,
@@ -311,11 +316,8 @@ std::vector<WayEnd> any_heading(Point at) {
 
 Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
   const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered, Backing::kNear);
-  if (auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr})) {
-    if (!way->backs_in || std::ranges::all_of(way->path, reverses)) return std::move(*way);
-    auto less = searched(begins, less_backed_in(*way, entered), begins.size(), {way->cost_s, nullptr});
-    return less ? std::move(*less) : std::move(*way);
-  }
+  if (const auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr}))
+    return or_quicker(*way, begins, less_backed_in(*way, entered), begins.size());
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
   return without_room({gate, towards}, start);
@@ -323,11 +325,8 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
   const std::vector<WayEnd> begins = ways_out(left, Backing::kNear), ends = any_heading(gate);
-  if (auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr})) {
-    if (!way->backs_out || std::ranges::all_of(way->path, reverses)) return std::move(*way);
-    auto less = searched(less_backed_out(*way, left), ends, 0, {way->cost_s, nullptr});
-    return less ? std::move(*less) : std::move(*way);
-  }
+  if (const auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr}))
+    return or_quicker(*way, less_backed_out(*way, left), ends, 0);
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);
   return without_room(end, {gate, towards});

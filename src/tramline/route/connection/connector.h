@@ -95,6 +95,9 @@ class Connector {
   /// does not back there.
   std::vector<WayEnd> less_backed_out(const Way& way, const SteeredPath& left) const;
   std::vector<WayEnd> less_backed_in(const Way& way, const SteeredPath& entered) const;
+  /// The way, or where it backs at an end a quicker one between these ends.
+  Way or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
+                 std::size_t backing_begins) const;
   WayEnd backed_out(const SteeredPath& left, double back_m) const;
   WayEnd backed_in(const SteeredPath& entered, double back_m) const;
   /// Distances in even steps from the one tried before `back_m` up to it.

@@ -9,12 +9,6 @@
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
-namespace {
-
-/// A tighter machine has shorter ways: by this share.
-constexpr double kTighter = 1e-7;
-
-}  // namespace
 
 LeastSeconds::LeastSeconds(const Machine& machine, double stop_s)
     : turning_(machine.turning),
@@ -24,10 +18,10 @@ LeastSeconds::LeastSeconds(const Machine& machine, double stop_s)
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps) {}
 
-LeastSeconds LeastSeconds::for_proofs(const Machine& machine, double stop_s) {
-  Machine tighter = machine;
-  tighter.radius_m = (1 - kTighter) * std::max(machine.radius_m, kLeastRadius_m);
-  return LeastSeconds(tighter, stop_s);
+Machine slightly_tighter(Machine machine) {
+  constexpr double kTighter_share = 1e-7;
+  machine.radius_m = (1 - kTighter_share) * std::max(machine.radius_m, kLeastRadius_m);
+  return machine;
 }
 
 double LeastSeconds::forward(const Pose& left, double lift_m, const Pose& entered, double lower_m) const {

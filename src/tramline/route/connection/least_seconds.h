@@ -7,6 +7,11 @@
 
 namespace tramline {
 
+/// For bounds that hold whatever is rounded. Between places of passes that turn as tightly as the machine the
+/// shortest way turns on their circles, and where a rounded coordinate lies inside one it leads once round
+/// instead. A slightly tighter machine has no such ways, and none that are longer.
+Machine slightly_tighter(Machine machine);
+
 /// Lower bounds of the time of ways with the work off, whatever the land: forwards a shortest Dubins path
 /// between the straight lines on which the implement is lifted and lowered; with reversing a shortest path of
 /// Reeds and Shepp (1990) at the higher speed and two changes of gear, which a machine with a drawbar in tow
@@ -15,10 +20,6 @@ class LeastSeconds {
  public:
   /// `stop_s`: what a stop to back out counts besides its time.
   explicit LeastSeconds(const Machine& machine, double stop_s = 0);
-  /// The same, whatever is rounded. Between places of passes that turn as tightly as the machine the shortest
-  /// way turns on their circles, and where a rounded coordinate lies inside one it leads once round instead.
-  /// A slightly tighter machine has no such ways, and none that are longer.
-  static LeastSeconds for_proofs(const Machine& machine, double stop_s);
 
   /// From the axle's pose where one work ends to that where another begins. O(1), allocates nothing.
   double between(const Pose& left, const Pose& entered) const;

@@ -13,6 +13,7 @@
 #include "tramline/turns/manoeuvres/three_turns.h"
 #include "tramline/turns/manoeuvres/u_turn.h"
 #include "tramline/turns/manoeuvres/unequal_arcs.h"
+#include "tramline/turns/outline/outline.h"
 #include "tramline/turns/tolerances.h"
 
 namespace tramline {
@@ -46,11 +47,6 @@ std::vector<Manoeuvre> reversing(const Pose& from, const Pose& to, const TurnCur
   return out;
 }
 
-/// A drawbar folds up in reverse.
-bool turns_in_reverse(const Turning& turning) {
-  return turning.reverse && !(turning.implement == Coupling::kTowed && turning.drawbar_m > 0);
-}
-
 void sort_by_time(std::vector<Manoeuvre>& manoeuvres, const Machine& machine) {
   const auto key = [&](const Manoeuvre& m) {
     return std::tuple(std::llround(seconds(m, machine) / kEqualAmount), gear_changes(m), m.kind, m.word);
@@ -68,7 +64,9 @@ std::vector<Manoeuvre> manoeuvres_between(const Pose& from, const Pose& to, cons
   std::vector<Manoeuvre> out = dubins_words(from, to, curves.forward);
   add_manoeuvres(out, u_turn(from, to, curves.forward));
   add_manoeuvres(out, lead_and_turn(from, to, curves.forward));
-  if (turns_in_reverse(machine.turning)) add_manoeuvres(out, reversing(from, to, curves));
+  // A drawbar folds up in reverse.
+  if (machine.turning.reverse && !outline_of(machine).tows())
+    add_manoeuvres(out, reversing(from, to, curves));
   drop_repeated(out);  // the first keeps its name
   sort_by_time(out, machine);
   return out;

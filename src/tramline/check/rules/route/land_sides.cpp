@@ -87,8 +87,7 @@ std::vector<LineStep> steps_along(const std::vector<Piece>& pieces, const PoseAt
 std::optional<LandSides> LandSides::of(const Plan& plan) {
   const std::optional<double> beyond_m = land_beyond_m(plan);
   const Turning& turning = plan.machine.turning;
-  const bool tows = turning.implement == Coupling::kTowed && turning.drawbar_m > 0;
-  if (!beyond_m || turning.reverse || tows) return std::nullopt;
+  if (!beyond_m || turning.reverse || tows(turning)) return std::nullopt;
   for (const RouteLeg& leg : plan.route.legs)
     if (leg.missing_m > 0) return std::nullopt;
   return LandSides(plan, *beyond_m);

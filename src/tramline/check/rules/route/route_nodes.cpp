@@ -166,7 +166,7 @@ LeastWays::LeastWays(const Machine& machine, double stop_s, std::optional<LandSi
     : turning_(machine.turning),
       width_m_(machine.width_m),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
-      reverses_(turning_.implement != Coupling::kTowed || !(turning_.drawbar_m > 0)),
+      reverses_(!tows(turning_)),
       fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
                              : turning_.turning_speed_mps),
       reversing_s_(2 * turning_.gear_change_s + (turning_.reverse ? 0 : stop_s)),

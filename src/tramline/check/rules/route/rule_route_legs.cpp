@@ -101,8 +101,7 @@ class LegsCheck {
     if (leg.gear != Gear::kReverse) return;
     if (leg.kind != LegKind::kBackOut && !turning_.reverse)
       add(i, "is driven in reverse, which this machine may not do", at, length(leg));
-    if (turning_.implement == Coupling::kTowed && turning_.drawbar_m > 0)
-      add(i, "is driven in reverse with a drawbar in tow", at, length(leg));
+    if (tows(turning_)) add(i, "is driven in reverse with a drawbar in tow", at, length(leg));
   }
 
   /// Pieces, passes, and the ways back along them are as tight as they are: that is no matter of the route.

@@ -16,8 +16,7 @@ constexpr double kMoreBeside_m = 0.01;
 }  // namespace
 
 void check_route_towing(const Case& c, Violations& out) {
-  const Turning& turning = c.plan.machine.turning;
-  if (turning.implement != Coupling::kTowed || !(turning.drawbar_m > 0)) return;
+  if (!tows(c.plan.machine.turning)) return;
   const std::vector<RouteLeg>& legs = c.plan.route.legs;
   for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
     if (legs[i].work || legs[i].pass || !legs[i + 1].work) continue;
