@@ -18,7 +18,8 @@ constexpr std::size_t kLooksAhead = 50;
 /// it finds at most as much worse.
 constexpr double kHaste = 1.2;
 
-/// From one place to another. The numbers of places: beginnings, poses of the roadmap, ends.
+/// From one place to another; to a beginning from itself. The numbers of places: beginnings, poses of the
+/// roadmap, ends.
 struct Move {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -75,11 +76,7 @@ class WaySearch {
   }
 
   std::optional<FoundWay> run() {
-    for (std::size_t i = 0; i < begins_.size(); ++i) {
-      visits_[i].cost_s = begins_[i].cost_s;
-      visits_[i].reached = true;
-      leave(i);
-    }
+    for (std::size_t i = 0; i < begins_.size(); ++i) propose({i, i}, begins_[i].cost_s, &begins_[i].path);
     std::size_t reached = 0;
     while (!open_.empty() && reached < kMostPoses) {
       const Proposal next = open_.top();
@@ -96,7 +93,7 @@ class WaySearch {
       visits_[to].from = next.move.from;
       visits_[to].way = next.way;
       if (is_end(to)) return found(to);
-      if (++reached == kLooksAhead) drop_ends_that_nothing_enters();
+      if (!is_begin(to) && ++reached == kLooksAhead) drop_ends_that_nothing_enters();
       leave(to);
     }
     if (open_.empty() && !limited_) learn();
@@ -178,7 +175,8 @@ class WaySearch {
 
   /// The same of one of the ends, from a pose of the roadmap.
   bool leads_not_to(std::size_t end, std::size_t place) const {
-    return nowhere_to_[end] != nullptr && (*nowhere_to_[end])[place - begins_.size()] != 0;
+    return !is_begin(place) && nowhere_to_[end] != nullptr &&
+           (*nowhere_to_[end])[place - begins_.size()] != 0;
   }
 
   void drop_ends_that_nothing_enters() {
