@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -96,6 +97,34 @@ TEST(Path, DistancesAgreeWithThoseOfChords) {
 TEST(Path, FindsItsSmallestRadius) {
   EXPECT_EQ(smallest_radius(straight_path({0, 0}, {1, 0})), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(smallest_radius({{{0, -3}, {0, 0}, 0}, kQuarterLeft}), 2, 1e-12);
+}
+
+/// Round a square, driven at half the width from it: inwards of its arcs there is but a corner, or by
+/// rounding a loop of a few nanometres either way round.
+TEST(Path, ABandRoundCornersAsTightAsItselfIsARing) {
+  const double width = 36, side = 70;
+  const double aslant = 0.3;
+  std::array<Point, 4> corners;
+  std::array<Point, 5> outwards;
+  for (std::size_t i = 0; i < 5; ++i)
+    outwards[i] = turned({0, -1}, aslant + 0.5 * kPi * static_cast<double>(i));
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = Point{-228, -404} + 0.5 * side * (outwards[i] + outwards[(i + 3) % 4]);
+  for (const double off_m : {-2e-7, -2e-8, -5e-9, 0.0, 5e-9, 2e-8, 2e-7}) {
+    SCOPED_TRACE(off_m);
+    const double reach_m = 0.5 * width + off_m;
+    Path round;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point next = corners[(i + 1) % corners.size()];
+      const Point begins = next + reach_m * outwards[i], ends = next + reach_m * outwards[i + 1];
+      round.push_back({corners[i] + reach_m * outwards[i], begins, 0});
+      round.push_back({begins, ends, 1 / reach_m});
+    }
+    const Polygon ring = closed_band(round, width);
+    EXPECT_FALSE(find_invalidity(ring));
+    EXPECT_NEAR(area({ring}), 4 * side * width + kPi * width * width, 1);
+    EXPECT_NEAR(area(intersection({ring}, {{{corners.begin(), corners.end()}, {}}})), 0, 1e-3);
+  }
 }
 
 }  // namespace path_test

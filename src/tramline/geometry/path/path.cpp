@@ -30,6 +30,17 @@ void append_offset(const PathSegment& segment, double offset_m, int count, std::
   out.push_back(segment.to + offset_m * at_end);
 }
 
+/// Ends that meet. The inner side of an arc as tight as the band is wide is a place, too; where rounding
+/// makes it a loop, it would cross its neighbours.
+std::vector<Point> without_repeated(std::vector<Point> points, double same_m) {
+  const Point last = points.back();
+  const auto end = std::unique(points.begin(), points.end(),
+                               [same_m](Point a, Point b) { return distance(a, b) < same_m; });
+  points.erase(end, points.end());
+  points.back() = last;
+  return points;
+}
+
 std::vector<Point> offset_chords(const Path& path, double offset_m, double half_width_m, double sagitta_m) {
   std::vector<Point> out;
   for (const PathSegment& segment : path) {
@@ -37,11 +48,8 @@ std::vector<Point> offset_chords(const Path& path, double offset_m, double half_
         segment.straight() ? 1 : chord_count(turning(segment), radius(segment) + half_width_m, sagitta_m);
     append_offset(segment, offset_m, count, out);
   }
-  // Ends that meet, and the inner side of an arc as tight as the band is wide.
-  out.erase(
-      std::unique(out.begin(), out.end(), [](Point a, Point b) { return distance(a, b) < kShortest_m; }),
-      out.end());
-  return out;
+  return offset_m == 0 ? without_repeated(std::move(out), kShortest_m)
+                       : without_repeated(std::move(out), kSamePlace_m);
 }
 
 bool cross_each_other(Point a, Point b, Point c, Point d) {

@@ -13,6 +13,7 @@
 #include "tramline/geometry/tolerances.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/pass_ground.h"
+#include "tramline/planner/assembly/arc_slivers.h"
 #include "tramline/planner/for_each_index.h"
 
 namespace tramline {
@@ -58,14 +59,6 @@ void add_passes(const Plan& plan, const SearchContext& context, TrackGround& all
   });
 }
 
-/// Whether some work follows arcs. Only their chords leave land open that is none.
-bool follows_arcs(const Plan& plan) {
-  return std::ranges::any_of(plan.pieces,
-                             [](const TrackPiece& piece) { return has_arcs(centre_line(piece)); }) ||
-         std::ranges::any_of(plan.headland.passes,
-                             [](const HeadlandPass& pass) { return has_arcs(pass.path); });
-}
-
 /// The polygons that do not lie wholly inside the land.
 Region reaching_out(const Region& parts, const EdgeIndex& land) {
   Region out;
@@ -86,7 +79,7 @@ void add_layers(Plan& plan, TrackGround tracks, const SearchContext& context) {
   const auto uncovered = [&] {
     // In one go: taken away one by one, swaths leave thousands of slivers between the chords of their arcs.
     plan.uncovered = difference(land, united_regions(tracks.regions));
-    if (follows_arcs(plan)) std::erase_if(plan.uncovered, is_sliver);
+    drop_slivers_along_arcs(plan, plan.uncovered);
   };
   const auto overlap = [&] {
     std::vector<Region> all = std::move(tracks.also_doubled);
