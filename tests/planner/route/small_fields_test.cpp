@@ -9,6 +9,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/model/rate_values.h"
 #include "tramline/planner/plan_field.h"
 
@@ -100,6 +101,37 @@ TEST(SmallFields, AreWorkedByPassesWhereNoTrackFits) {
   EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
   EXPECT_EQ(euros_of(dodecagon(20), std::nullopt), std::nullopt)
       << "nor a pass: it would be 8 m from the middle";
+}
+
+/// So much of the width of a piece lies in its subfield a millimetre from an end, m.
+double inside_m(const Plan& plan, const TrackPiece& piece, Point end, Point other) {
+  const Point along = 1 / distance(end, other) * (other - end), place = end + 1e-3 * along;
+  const Point half = 0.5 * plan.machine.width_m * left_of(along);
+  return length_inside({plan.subfields[piece.subfield].shape}, place - half, place + half);
+}
+
+// A bent strip, on which a spreader finds room for turns with the tracks that are best by the usual prices
+// only. Where these end is decided by its own: working twice costs it more, so they run on less far.
+TEST(SmallFields, EndTracksByTheirOwnPrices) {
+  Field field;
+  field.id = "bent";
+  field.outer = {{10, -2},  {20, 41},  {20, 104}, {32, 165}, {52, 230},
+                 {31, 237}, {11, 170}, {-1, 106}, {-1, 43},  {-10, 2}};
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 12;
+  machine.rates.operation = Operation::kSpreading;
+  PlanSettings settings = planned_whole({});
+  settings.boundary = EdgeKind::kSoft;
+  settings.shape = TrackShape::kStraight;
+  const Plan plan = plan_field(field, machine, {}, settings);
+  const double asked_m = cheapest_share(plan.objective) * machine.width_m;
+  ASSERT_GT(asked_m, 1.1 * cheapest_share(Objective{}) * machine.width_m);
+  ASSERT_FALSE(plan.pieces.empty());
+  for (const TrackPiece& piece : plan.pieces) {
+    EXPECT_GE(inside_m(plan, piece, piece.start, piece.end), asked_m - 0.02);
+    EXPECT_GE(inside_m(plan, piece, piece.end, piece.start), asked_m - 0.02);
+  }
 }
 
 }  // namespace

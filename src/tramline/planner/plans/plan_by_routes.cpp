@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
 
@@ -35,24 +36,35 @@ std::vector<Plan> layouts_to_begin_with(const PlanningProblem& problem, const Se
   return out;
 }
 
+/// Those of a plan, which are as the settings say where no turns decided.
+PassesByBoundary passes_of(const OtherKind& plan, const PlanningProblem& problem) {
+  if (const auto* const trial = std::get_if<HeadlandTrial>(&plan)) return trial->passes;
+  return as_set(problem, {std::vector<int>(problem.field.outer.size(), 0),
+                          std::vector<int>(problem.field.obstacles.size(), 0)});
+}
+
 /// Straight tracks by the usual prices of tracks, with the headlands that their turns need if any follow
-/// them.
-OtherKind by_usual_prices(PlanningProblem problem, const SearchContext& context) {
-  const Objective prices = std::exchange(problem.objective, Objective{});
-  const TrackShape shape = problem.settings.shape;
-  const PlanningProblem straight = with_shape(std::move(problem), TrackShape::kStraight);
+/// them. Where they end is decided by the prices of the problem.
+OtherKind by_usual_prices(const PlanningProblem& problem, const SearchContext& context) {
+  const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);
+  PlanningProblem usual = straight;
+  usual.objective = Objective{};
   std::optional<HeadlandTrial> found;
-  if (headlands_follow_turns(straight.settings))
-    found = best_tracks_with_headlands_for_turns(straight, context);
+  if (headlands_follow_turns(usual.settings)) found = best_tracks_with_headlands_for_turns(usual, context);
   OtherKind out;
   if (found)
     out = *std::move(found);
   else
-    out = planned_without_tracks(straight, context.without_bound()).plan;
+    out = planned_without_tracks(usual, context.without_bound()).plan;
+  const Plan& like = plan_of(out);
+  const PassesByBoundary passes = passes_of(out, straight);
+  if (!like.subfields.empty())
+    if (auto laid = headland_trial(straight, like, passes, Offset::kOfLayout, context.without_bound()))
+      out = *std::move(laid);
   Plan& plan = plan_of(out);
-  plan.objective = prices;
-  plan.cost = cost(prices, plan.tally);
-  plan.settings.shape = shape;
+  plan.objective = problem.objective;
+  plan.cost = cost(problem.objective, plan.tally);
+  plan.settings.shape = problem.settings.shape;
   return out;
 }
 

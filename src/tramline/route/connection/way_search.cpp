@@ -12,8 +12,9 @@ namespace {
 
 /// So many poses are left at the most; what is farther is not found.
 constexpr std::size_t kMostPoses = 4000;
-/// Where so many poses did not lead to an end, it is asked whether any pose does.
-constexpr std::size_t kLooksAhead = 50;
+/// Where so many poses did not lead to an end, it is asked whether any pose does; not of many ends, of which
+/// some are entered for sure.
+constexpr std::size_t kLooksAhead = 50, kFewEnds = 64;
 /// What remains is taken to be this much longer than the straight line: the search is far shorter, and what
 /// it finds at most as much worse.
 constexpr double kHaste = 1.2;
@@ -93,7 +94,8 @@ class WaySearch {
       visits_[to].from = next.move.from;
       visits_[to].way = next.way;
       if (is_end(to)) return found(to);
-      if (!is_begin(to) && ++reached == kLooksAhead) drop_ends_that_nothing_enters();
+      if (!is_begin(to) && ++reached == kLooksAhead && ends_.size() <= kFewEnds)
+        drop_ends_that_nothing_enters();
       leave(to);
     }
     if (open_.empty() && !limited_) learn();
