@@ -38,6 +38,20 @@ Motion stepped(const Motion& from, const SteeredStretch& stretch, double done_m,
   return {from.at + sense * step_m * mean, last};
 }
 
+/// The direction of a drawbar after its hitch has moved along a straight line: on a tractrix the tangent of
+/// half the angle to that line falls by e for every length of the drawbar. So it is exact where the hitch
+/// moves straight, and off by the square of the steps elsewhere, also where it pushes the bar and turns it
+/// round.
+Point drawn(Point ahead, Point way, double drawbar_m) {
+  const double way_m = length(way);
+  if (way_m == 0) return ahead;
+  const Point along = 1 / way_m * way;
+  const double cosine = dot(along, ahead), sine = cross(along, ahead), shrunk = std::exp(-way_m / drawbar_m);
+  const double near = 1 + cosine, far = shrunk * shrunk * (1 - cosine);
+  const Point out = (near - far) * along + 2 * shrunk * sine * left_of(along);
+  return 1 / length(out) * out;
+}
+
 class Drawn {
  public:
   Drawn(const Machine& machine, const Motion& start) : turning_(machine.turning) {
@@ -54,8 +68,8 @@ class Drawn {
     place_.axle = to.at;
     place_.ahead = {std::cos(to.heading), std::sin(to.heading)};
     if (tows(turning_)) {
-      const Point bar = hitch(to) - place_.implement;
-      place_.implement_ahead = (1 / length(bar)) * bar;
+      const Point hitch_before = place_.implement + turning_.drawbar_m * place_.implement_ahead;
+      place_.implement_ahead = drawn(place_.implement_ahead, hitch(to) - hitch_before, turning_.drawbar_m);
       place_.implement = hitch(to) - turning_.drawbar_m * place_.implement_ahead;
     } else {
       place_.implement = hitch(to);

@@ -170,11 +170,12 @@ std::optional<Way> Connector::searched(const std::vector<WayEnd>& begins, const 
   return out;
 }
 
-Way Connector::without_room(const Pose& from, const Pose& to) const {
-  const std::vector<Manoeuvre> words = ground_.words(from, to);
-  Way out =
-      finished(LegKind::kTransit, words.empty() ? shortest_dubins(from, to, ground_.machine().radius_m).path
-                                                : words.front().path);
+Way Connector::without_room(const WayEnd& begin, const WayEnd& end) const {
+  const std::vector<Manoeuvre> words = ground_.words(begin.pose, end.pose);
+  const SteeredPath between = words.empty()
+                                  ? shortest_dubins(begin.pose, end.pose, ground_.machine().radius_m).path
+                                  : words.front().path;
+  Way out = finished(LegKind::kTransit, joined(begin.path, between, end.path));
   if (!out.path.empty()) out.missing_m = ground_.turning().missing_m(out.path, ground_.outline());
   return out;
 }
@@ -295,12 +296,7 @@ Connector::WayToOne Connector::to_any(const SteeredPath& left,
                                       const std::vector<SteeredPath>& entered) const {
   assert(!entered.empty());
   if (auto way = without_or_with_backing(left, entered)) return std::move(*way);
-  const WayEnd in = straight_in(entered.front().front().start);
-  const WayEnd begin = straight_out(end_of(left));
-  Way out = without_room(begin.pose, in.pose);
-  out.path = joined(begin.path, out.path, in.path);
-  out.time_s = out.cost_s = idle_seconds(out.path, ground_.machine().turning);
-  return {0, std::move(out)};
+  return {0, without_room(straight_out(end_of(left)), straight_in(entered.front().front().start))};
 }
 
 namespace {
@@ -320,7 +316,7 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
     return or_quicker(*way, begins, less_backed_in(*way, entered), begins.size());
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
-  return without_room({gate, towards}, start);
+  return without_room({{gate, towards}}, {start});
 }
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
@@ -329,7 +325,7 @@ Way Connector::to_gate(const SteeredPath& left, Point gate) const {
     return or_quicker(*way, less_backed_out(*way, left), ends, 0);
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);
-  return without_room(end, {gate, towards});
+  return without_room({end}, {{gate, towards}});
 }
 
 }  // namespace tramline

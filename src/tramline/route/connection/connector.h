@@ -81,7 +81,7 @@ class Connector {
   std::optional<WayToOne> without_or_with_backing(const SteeredPath& left,
                                                   const std::vector<SteeredPath>& entered) const;
   bool leads_off(const Pose& pose) const;
-  Way without_room(const Pose& from, const Pose& to) const;
+  Way without_room(const WayEnd& begin, const WayEnd& end) const;
   Way finished(LegKind kind, SteeredPath path) const;
   WayEnd straight_out(const Pose& end) const;
   WayEnd straight_in(const Pose& start) const;
