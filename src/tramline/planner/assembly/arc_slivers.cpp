@@ -32,7 +32,7 @@ class EdgesOfArcs {
 
   bool empty() const { return edges_.empty(); }
 
-  bool lead_by(Point p) const {
+  bool pass_by(Point p) const {
     bool out = false;
     grid_.each_meeting({p.x, p.y, p.x, p.y}, [&](std::size_t i) {
       const double away_m = distance(p, edges_[i].centre);
@@ -67,7 +67,7 @@ void drop_slivers_along_arcs(const Plan& plan, Region& land) {
     if (area(part) < 0.5 * kThinnestOverlap_m * perimeter(part.outer)) return true;
     for (std::size_t i = 0; i < part.outer.size(); ++i) {
       const Point corner = part.outer[i], next = part.outer[(i + 1) % part.outer.size()];
-      if (!edges.lead_by(corner) || !edges.lead_by(midpoint(corner, next))) return false;
+      if (!edges.pass_by(corner) || !edges.pass_by(midpoint(corner, next))) return false;
     }
     return true;
   });
