@@ -408,5 +408,26 @@ TEST(Connector, BacksNoFartherThanItTakesToTurn) {
   EXPECT_EQ(connector.with_less_backing(less, left, entered).cost_s, less.cost_s);
 }
 
+// A post stands 0.2 m ahead of the bar where the work ends, and the implement is lifted over 1 m straight on:
+// the machine has room again behind the post, but none to get there.
+TEST(Connector, BacksOutWhereSomethingStandsStraightAhead) {
+  Machine machine;
+  machine.width_m = 6;
+  machine.radius_m = 4;
+  machine.turning.lift_m = 1;
+  Field field;
+  field.outer = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+  const Region region{{field.outer, {{{41.5, 50.2}, {41.5, 50.4}, {41.7, 50.4}, {41.7, 50.2}}}}};
+  const AllowedLand land(region);
+  const DrivingGround ground(land, field, machine, region);
+  RoadmapOnDemand roadmap({[&] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground});
+  const Connector connector(ground, roadmap, {});
+  const SteeredPath left{arc_from({{40, 20}, Heading::from_to({0, 0}, {0, 1})}, 30, 0, Gear::kForward)};
+  const SteeredPath entered{arc_from({{60, 50}, Heading::from_to({0, 1}, {0, 0})}, 30, 0, Gear::kForward)};
+  const Way way = connector.between(left, entered);
+  EXPECT_TRUE(way.has_room() && way.backs_out && !way.backs_in);
+  EXPECT_TRUE(land.fits(way.path, ground.outline()));
+}
+
 }  // namespace
 }  // namespace tramline

@@ -45,6 +45,8 @@ Pose implement_pose(const Pose& axle, const Turning& turning) {
 
 bool reverses(const SteeredStretch& stretch) { return stretch.gear == Gear::kReverse; }
 
+bool backs(const WayEnd& end) { return !end.path.empty() && reverses(end.path.front()); }
+
 double step_back_m(const Machine& machine) { return std::max(machine.radius_m, 0.5 * machine.width_m); }
 
 SteeredPath joined(const SteeredPath& a, const SteeredPath& b, const SteeredPath& c) {
@@ -98,6 +100,12 @@ WayEnd Connector::straight_in(const Pose& start) const {
   return {before, straight(before, turning.lower_m), turning.lower_m / turning.turning_speed_mps};
 }
 
+/// The place where the implement is lifted or lowered may be beyond the end of the land.
+std::vector<WayEnd> Connector::with_room(WayEnd straight) const {
+  if (!straight.path.empty() && !ground_.has_room(straight.path)) return {};
+  return {std::move(straight)};
+}
+
 std::vector<double> Connector::backed_m(double length_m, Backing backing) const {
   const double step_m = step_back_m(ground_.machine());
   std::vector<double> out;
@@ -128,7 +136,7 @@ WayEnd Connector::backed_in(const SteeredPath& entered, double back_m) const {
 }
 
 std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing) const {
-  std::vector<WayEnd> out{straight_out(end_of(left))};
+  std::vector<WayEnd> out = with_room(straight_out(end_of(left)));
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
   if (!ground_.can_follow(left)) return out;
@@ -143,7 +151,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing
 }
 
 std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backing) const {
-  std::vector<WayEnd> out{straight_in(entered.front().start)};
+  std::vector<WayEnd> out = with_room(straight_in(entered.front().start));
   if (ground_.outline().tows()) return out;
   if (!ground_.can_follow(entered)) return out;
   double tried_m = 0;
@@ -156,17 +164,16 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backi
 }
 
 std::optional<Way> Connector::searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                       std::size_t backing_begins, const Limit& limit) const {
+                                       const Limit& limit) const {
   auto found = quickest_way(begins, ends, roadmap_.get(), ground_, limit.no_more_than_s);
   if (!found) return std::nullopt;
   // The drawbar of a towed implement is in line at the beginning only: words had room by themselves.
   if (ground_.outline().tows() && !ground_.has_room(found->path)) return std::nullopt;
   if (limit.end != nullptr) *limit.end = found->end;
-  const SteeredPath& in = ends[found->end].path;
   Way out = finished(LegKind::kTransit, std::move(found->path));
   out.cost_s = found->cost_s;
-  out.backs_out = found->begin >= backing_begins;
-  out.backs_in = !in.empty() && in.front().gear == Gear::kReverse;
+  out.backs_out = backs(begins[found->begin]);
+  out.backs_in = backs(ends[found->end]);
   return out;
 }
 
@@ -214,15 +221,16 @@ std::optional<Connector::WayToOne> Connector::without_backing(const SteeredPath&
                                                               const std::vector<SteeredPath>& entered) const {
   Ends straight;
   for (std::size_t i = 0; i < entered.size(); ++i) {
-    const WayEnd in = straight_in(entered[i].front().start);
-    if (!leads_off(turned_back(in.pose))) continue;
-    straight.ends.push_back(in);
-    straight.of.push_back(i);
+    for (const WayEnd& in : with_room(straight_in(entered[i].front().start))) {
+      if (!leads_off(turned_back(in.pose))) continue;
+      straight.ends.push_back(in);
+      straight.of.push_back(i);
+    }
   }
-  const WayEnd begin = straight_out(end_of(left));
-  if (straight.ends.empty() || !leads_off(begin.pose)) return std::nullopt;
+  const std::vector<WayEnd> begins = with_room(straight_out(end_of(left)));
+  if (straight.ends.empty() || begins.empty() || !leads_off(begins.front().pose)) return std::nullopt;
   std::size_t end = 0;
-  auto way = searched({begin}, straight.ends, 1, {kAnyCost_s, &end});
+  auto way = searched(begins, straight.ends, {kAnyCost_s, &end});
   if (!way) return std::nullopt;
   return WayToOne{straight.of[end], std::move(*way)};
 }
@@ -246,7 +254,7 @@ std::optional<Connector::WayToOne> Connector::without_or_with_backing(
   const Backing out_of = out ? Backing::kNear : Backing::kFar;
   const Ends all = ends_of(entered, entered.size() == 1 ? out_of : Backing::kNear);
   std::size_t end = 0;
-  if (auto way = searched(ways_out(left, out_of), all.ends, 1, {limit_s, &end}))
+  if (auto way = searched(ways_out(left, out_of), all.ends, {limit_s, &end}))
     out = {all.of[end], std::move(*way)};
   return out;
 }
@@ -279,17 +287,16 @@ std::vector<WayEnd> Connector::less_backed_in(const Way& way, const SteeredPath&
   return out;
 }
 
-Way Connector::or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                          std::size_t backing_begins) const {
+Way Connector::or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends) const {
   if (!way.backs_out && !way.backs_in) return way;
   if (std::ranges::all_of(way.path, reverses)) return way;  // it backs as far as it is long
-  auto found = searched(begins, ends, backing_begins, {way.cost_s, nullptr});
+  auto found = searched(begins, ends, {way.cost_s, nullptr});
   return found ? std::move(*found) : way;
 }
 
 Way Connector::with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const {
   assert(way.has_room() && !left.empty() && !entered.empty());
-  return or_quicker(way, less_backed_out(way, left), less_backed_in(way, entered), way.backs_out ? 0 : 1);
+  return or_quicker(way, less_backed_out(way, left), less_backed_in(way, entered));
 }
 
 Connector::WayToOne Connector::to_any(const SteeredPath& left,
@@ -312,8 +319,8 @@ std::vector<WayEnd> any_heading(Point at) {
 
 Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
   const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered, Backing::kNear);
-  if (const auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr}))
-    return or_quicker(*way, begins, less_backed_in(*way, entered), begins.size());
+  if (const auto way = searched(begins, ends, {kAnyCost_s, nullptr}))
+    return or_quicker(*way, begins, less_backed_in(*way, entered));
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
   return without_room({{gate, towards}}, {start});
@@ -321,8 +328,8 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
   const std::vector<WayEnd> begins = ways_out(left, Backing::kNear), ends = any_heading(gate);
-  if (const auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr}))
-    return or_quicker(*way, less_backed_out(*way, left), ends, 0);
+  if (const auto way = searched(begins, ends, {kAnyCost_s, nullptr}))
+    return or_quicker(*way, less_backed_out(*way, left), ends);
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);
   return without_room({end}, {{gate, towards}});

@@ -65,7 +65,7 @@ class Connector {
   };
   std::optional<Way> turn(const SteeredPath& left, const SteeredPath& entered) const;
   std::optional<Way> searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                              std::size_t backing_begins, const Limit& limit) const;
+                              const Limit& limit) const;
   /// All ways to begin works, and which of them each begins.
   struct Ends {
     std::vector<WayEnd> ends{};
@@ -84,6 +84,8 @@ class Connector {
   Way without_room(const WayEnd& begin, const WayEnd& end) const;
   Way finished(LegKind kind, SteeredPath path) const;
   WayEnd straight_out(const Pose& end) const;
+  /// One or none.
+  std::vector<WayEnd> with_room(WayEnd straight) const;
   WayEnd straight_in(const Pose& start) const;
   /// The distances backed over a path, m: the shorter ones first, no more than its length.
   std::vector<double> backed_m(double length_m, Backing backing) const;
@@ -96,8 +98,7 @@ class Connector {
   std::vector<WayEnd> less_backed_out(const Way& way, const SteeredPath& left) const;
   std::vector<WayEnd> less_backed_in(const Way& way, const SteeredPath& entered) const;
   /// The way, or where it backs at an end a quicker one between these ends.
-  Way or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                 std::size_t backing_begins) const;
+  Way or_quicker(Way way, const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends) const;
   WayEnd backed_out(const SteeredPath& left, double back_m) const;
   WayEnd backed_in(const SteeredPath& entered, double back_m) const;
   /// Distances in even steps from the one tried before `back_m` up to it.
