@@ -18,7 +18,7 @@ namespace arc_slivers_test {
 constexpr double kPi = std::numbers::pi;
 constexpr double kWidth_m = 6, kRadius_m = 10;
 
-/// A headland pass along the edge, to the left round a quarter circle about the origin, and straight on.
+/// A headland pass straight on, and then to the left, round a quarter circle about the origin.
 Plan with_a_rounded_pass() {
   Plan out;
   out.machine.width_m = kWidth_m;

@@ -1,5 +1,4 @@
-// Ways where the machine has no room: along the corridor between two rooms rather than straight across, and
-// told of as they are driven.
+// Ways where the machine has no room: along the corridor between two rooms rather than straight across.
 
 #include "tramline/route/connection/squeezed_way.h"
 
@@ -102,58 +101,6 @@ TEST(SqueezedWays, AreWhatTheyWereWithADrawbar) {
   const Way way = squeezed.along_the_land(straight, scene.left, scene.entered);
   EXPECT_EQ(length(way.path), length(straight.path));
   EXPECT_EQ(way.missing_m, straight.missing_m);
-}
-
-constexpr double kTight_m = 1, kDrawbar_m = 2.66, kLift_m = 2.2, kLower_m = 0.5;
-
-/// Six metres wide, behind a drawbar that is longer than the radius.
-Machine towing() {
-  Machine out;
-  out.width_m = kWidth_m;
-  out.radius_m = kTight_m;
-  out.turning.implement = Coupling::kTowed;
-  out.turning.drawbar_m = kDrawbar_m;
-  out.turning.lift_m = kLift_m;
-  out.turning.lower_m = kLower_m;
-  return out;
-}
-
-/// How far the implement is beside its line behind half a circle and so much straight on, m. The angle b from
-/// the drawbar to the machine's heading grows by 1/r of the way, and falls by sin b / L of it; by the
-/// midpoint of each of many steps.
-double beside_m(double straight_m) {
-  double b = 0;
-  const auto drive = [&b](double way_m, double curvature) {
-    constexpr int kSteps = 20000;
-    const double step_m = way_m / kSteps;
-    const auto rate = [&](double angle) { return curvature - std::sin(angle) / kDrawbar_m; };
-    for (int i = 0; i < kSteps; ++i) b += step_m * rate(b + 0.5 * step_m * rate(b));
-  };
-  drive(std::numbers::pi * kTight_m, 1 / kTight_m);
-  drive(straight_m, 0);
-  return kDrawbar_m * std::abs(std::sin(b));
-}
-
-// On land four metres wide. Half a circle bends the drawbar by more than a right angle, so that the implement
-// is farther beside the line behind the straight on which it is lowered than before.
-TEST(WaysWithoutRoom, TellWhereTheImplementIsWhenItIsLowered) {
-  Field field;
-  field.outer = {{-3, 0}, {1, 0}, {1, 80}, {-3, 80}};
-  const AllowedLand land{Region{{field.outer, {}}}};
-  const Region tracks;
-  const Machine machine = towing();
-  const DrivingGround ground(land, field, machine, tracks);
-  RoadmapOnDemand roadmap([] { return Roadmap({}, 4); }, ground);
-  const Connector connector(ground, roadmap, {});
-  // The circle begins where the implement is lifted, and ends where it is still to be lowered.
-  const SteeredPath left = straight_on({0, 20}, 0, 30),
-                    entered = straight_on({-2 * kTight_m, 50 + kLift_m - kLower_m}, 180, 30);
-  const Way way = connector.between(left, entered);
-  ASSERT_FALSE(way.has_room());
-  EXPECT_NEAR(length(way.path), kLift_m + std::numbers::pi * kTight_m + kLower_m, 1e-9);
-  ASSERT_GT(beside_m(kLower_m), beside_m(0) + 0.05);
-  EXPECT_NEAR(way.lateral_error_m, beside_m(kLower_m), 1e-6);
-  EXPECT_NEAR(way.time_s, length(way.path) / machine.turning.turning_speed_mps, 1e-9);
 }
 
 }  // namespace

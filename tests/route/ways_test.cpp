@@ -380,54 +380,5 @@ TEST(WithWays, OneSenseIsEnoughForABar) {
   EXPECT_GT(both_s, 0);
 }
 
-// At the edge of a rectangle a machine has to be r + w/2 from it to turn aside: with these 7 m. Ways are
-// found that back by so many half radii, 8 m here; what lies between needs no farther.
-TEST(Connector, BacksNoFartherThanItTakesToTurn) {
-  Machine machine;
-  machine.width_m = 6;
-  machine.radius_m = 4;
-  Field field;
-  field.outer = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-  const Region region{{field.outer, {}}};
-  const AllowedLand land(region);
-  const DrivingGround ground(land, field, machine, region);
-  RoadmapOnDemand roadmap({[&] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground});
-  const Connector connector(ground, roadmap, {});
-  const SteeredPath left{arc_from({{40, 20}, Heading::from_to({0, 0}, {0, 1})}, 80, 0, Gear::kForward)};
-  const SteeredPath entered{arc_from({{52, 100}, Heading::from_to({0, 1}, {0, 0})}, 80, 0, Gear::kForward)};
-  const Way way = connector.between(left, entered);
-  ASSERT_TRUE(way.has_room() && way.backs_out && way.backs_in);
-  EXPECT_NEAR(way.path.front().length_m, 8, 1e-9);
-  const Way less = connector.with_less_backing(way, left, entered);
-  EXPECT_TRUE(less.has_room() && less.backs_out && less.backs_in);
-  EXPECT_TRUE(land.fits(less.path, ground.outline()));
-  EXPECT_NEAR(less.path.front().length_m, 7, 1e-9);
-  EXPECT_NEAR(less.path.back().length_m, 7, 1e-9);
-  EXPECT_LT(less.cost_s, way.cost_s - 1.9);
-  // Nothing lies between any more.
-  EXPECT_EQ(connector.with_less_backing(less, left, entered).cost_s, less.cost_s);
-}
-
-// A post stands 0.2 m ahead of the bar where the work ends, and the implement is lifted over 1 m straight on:
-// the machine has room again behind the post, but none to get there.
-TEST(Connector, BacksOutWhereSomethingStandsStraightAhead) {
-  Machine machine;
-  machine.width_m = 6;
-  machine.radius_m = 4;
-  machine.turning.lift_m = 1;
-  Field field;
-  field.outer = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-  const Region region{{field.outer, {{{41.5, 50.2}, {41.5, 50.4}, {41.7, 50.4}, {41.7, 50.2}}}}};
-  const AllowedLand land(region);
-  const DrivingGround ground(land, field, machine, region);
-  RoadmapOnDemand roadmap({[&] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground});
-  const Connector connector(ground, roadmap, {});
-  const SteeredPath left{arc_from({{40, 20}, Heading::from_to({0, 0}, {0, 1})}, 30, 0, Gear::kForward)};
-  const SteeredPath entered{arc_from({{60, 50}, Heading::from_to({0, 1}, {0, 0})}, 30, 0, Gear::kForward)};
-  const Way way = connector.between(left, entered);
-  EXPECT_TRUE(way.has_room() && way.backs_out && !way.backs_in);
-  EXPECT_TRUE(land.fits(way.path, ground.outline()));
-}
-
 }  // namespace
 }  // namespace tramline

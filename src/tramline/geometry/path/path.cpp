@@ -48,8 +48,7 @@ std::vector<Point> offset_chords(const Path& path, double offset_m, double half_
         segment.straight() ? 1 : chord_count(turning(segment), radius(segment) + half_width_m, sagitta_m);
     append_offset(segment, offset_m, count, out);
   }
-  return offset_m == 0 ? without_repeated(std::move(out), kShortest_m)
-                       : without_repeated(std::move(out), kSamePlace_m);
+  return without_repeated(std::move(out), offset_m == 0 ? kShortest_m : kSamePlace_m);
 }
 
 bool cross_each_other(Point a, Point b, Point c, Point d) {

@@ -100,10 +100,8 @@ WayEnd Connector::straight_in(const Pose& start) const {
   return {before, straight(before, turning.lower_m), turning.lower_m / turning.turning_speed_mps};
 }
 
-/// The place where the implement is lifted or lowered may be beyond the end of the land.
-std::vector<WayEnd> Connector::with_room(WayEnd straight) const {
-  if (!straight.path.empty() && !ground_.has_room(straight.path)) return {};
-  return {std::move(straight)};
+bool Connector::has_room(const WayEnd& straight) const {
+  return straight.path.empty() || ground_.has_room(straight.path);
 }
 
 std::vector<double> Connector::backed_m(double length_m, Backing backing) const {
@@ -136,7 +134,8 @@ WayEnd Connector::backed_in(const SteeredPath& entered, double back_m) const {
 }
 
 std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing) const {
-  std::vector<WayEnd> out = with_room(straight_out(end_of(left)));
+  std::vector<WayEnd> out;
+  if (WayEnd on = straight_out(end_of(left)); has_room(on)) out.push_back(std::move(on));
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
   if (!ground_.can_follow(left)) return out;
@@ -151,7 +150,8 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left, Backing backing
 }
 
 std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered, Backing backing) const {
-  std::vector<WayEnd> out = with_room(straight_in(entered.front().start));
+  std::vector<WayEnd> out;
+  if (WayEnd in = straight_in(entered.front().start); has_room(in)) out.push_back(std::move(in));
   if (ground_.outline().tows()) return out;
   if (!ground_.can_follow(entered)) return out;
   double tried_m = 0;
@@ -221,16 +221,15 @@ std::optional<Connector::WayToOne> Connector::without_backing(const SteeredPath&
                                                               const std::vector<SteeredPath>& entered) const {
   Ends straight;
   for (std::size_t i = 0; i < entered.size(); ++i) {
-    for (const WayEnd& in : with_room(straight_in(entered[i].front().start))) {
-      if (!leads_off(turned_back(in.pose))) continue;
-      straight.ends.push_back(in);
-      straight.of.push_back(i);
-    }
+    const WayEnd in = straight_in(entered[i].front().start);
+    if (!has_room(in) || !leads_off(turned_back(in.pose))) continue;
+    straight.ends.push_back(in);
+    straight.of.push_back(i);
   }
-  const std::vector<WayEnd> begins = with_room(straight_out(end_of(left)));
-  if (straight.ends.empty() || begins.empty() || !leads_off(begins.front().pose)) return std::nullopt;
+  const WayEnd begin = straight_out(end_of(left));
+  if (straight.ends.empty() || !has_room(begin) || !leads_off(begin.pose)) return std::nullopt;
   std::size_t end = 0;
-  auto way = searched(begins, straight.ends, {kAnyCost_s, &end});
+  auto way = searched({begin}, straight.ends, {kAnyCost_s, &end});
   if (!way) return std::nullopt;
   return WayToOne{straight.of[end], std::move(*way)};
 }

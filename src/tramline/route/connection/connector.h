@@ -84,8 +84,8 @@ class Connector {
   Way without_room(const WayEnd& begin, const WayEnd& end) const;
   Way finished(LegKind kind, SteeredPath path) const;
   WayEnd straight_out(const Pose& end) const;
-  /// One or none.
-  std::vector<WayEnd> with_room(WayEnd straight) const;
+  /// Where the implement is lifted or lowered there may be no land any more.
+  bool has_room(const WayEnd& straight) const;
   WayEnd straight_in(const Pose& start) const;
   /// The distances backed over a path, m: the shorter ones first, no more than its length.
   std::vector<double> backed_m(double length_m, Backing backing) const;

@@ -1,0 +1,149 @@
+// Ways from the end of one work to the beginning of the next: where the machine backs, and what is told of
+// ways without room.
+
+#include "tramline/route/connection/connector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "tramline/route/build/lines_beside_boundaries.h"
+
+namespace tramline {
+namespace connector_test {
+
+Field field_of(Ring outer) {
+  Field out;
+  out.outer = std::move(outer);
+  return out;
+}
+
+/// Land on which a machine follows the lines beside its boundary.
+struct OnLand {
+  OnLand(Polygon shape, Machine drives)
+      : region{std::move(shape)},
+        field(field_of(region.front().outer)),
+        machine(std::move(drives)),
+        land(region),
+        ground(land, field, machine, region),
+        roadmap([this] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground),
+        connector(ground, roadmap, {}) {}
+
+  Region region;
+  Field field;
+  Machine machine;
+  AllowedLand land;
+  DrivingGround ground;
+  RoadmapOnDemand roadmap;
+  Connector connector;
+};
+
+/// A work, from a place to the north or to the south.
+SteeredPath northwards(Point from, double length_m) {
+  return {arc_from({from, Heading::from_to({0, 0}, {0, 1})}, length_m, 0, Gear::kForward)};
+}
+SteeredPath southwards(Point from, double length_m) {
+  return {arc_from({from, Heading::from_to({0, 1}, {0, 0})}, length_m, 0, Gear::kForward)};
+}
+
+const Ring kHectare{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+
+Machine six_metres_wide(double radius_m) {
+  Machine out;
+  out.width_m = 6;
+  out.radius_m = radius_m;
+  return out;
+}
+
+// At the edge of a rectangle a machine has to be r + w/2 from it to turn aside: with these 7 m. Ways are
+// found that back by so many half radii, 8 m here; what lies between needs no farther.
+TEST(Connector, BacksNoFartherThanItTakesToTurn) {
+  const OnLand on({kHectare, {}}, six_metres_wide(4));
+  const SteeredPath left = northwards({40, 20}, 80), entered = southwards({52, 100}, 80);
+  const Way way = on.connector.between(left, entered);
+  ASSERT_TRUE(way.has_room() && way.backs_out && way.backs_in);
+  EXPECT_NEAR(way.path.front().length_m, 8, 1e-9);
+  const Way less = on.connector.with_less_backing(way, left, entered);
+  EXPECT_TRUE(less.has_room() && less.backs_out && less.backs_in);
+  EXPECT_TRUE(on.land.fits(less.path, on.ground.outline()));
+  EXPECT_NEAR(less.path.front().length_m, 7, 1e-9);
+  EXPECT_NEAR(less.path.back().length_m, 7, 1e-9);
+  EXPECT_LT(less.cost_s, way.cost_s - 1.9);
+  // Nothing lies between any more.
+  EXPECT_EQ(on.connector.with_less_backing(less, left, entered).cost_s, less.cost_s);
+}
+
+/// A post of 0.2 m whose southern side lies so far north.
+Ring post_at(double south_m) {
+  return {{41.5, south_m}, {41.5, south_m + 0.2}, {41.7, south_m + 0.2}, {41.7, south_m}};
+}
+
+// A post stands 0.2 m ahead of the bar where the work ends, and the implement is lifted over 1 m straight on:
+// the machine has room again behind the post, but none to get there.
+TEST(Connector, BacksOutWhereSomethingStandsStraightAhead) {
+  Machine machine = six_metres_wide(4);
+  machine.turning.lift_m = 1;
+  const OnLand on({kHectare, {post_at(50.2)}}, machine);
+  const Way way = on.connector.between(northwards({40, 20}, 30), southwards({60, 50}, 30));
+  EXPECT_TRUE(way.has_room() && way.backs_out && !way.backs_in);
+  EXPECT_TRUE(on.land.fits(way.path, on.ground.outline()));
+}
+
+// The same, driven from its end: the implement is lowered past the post.
+TEST(Connector, BacksInWhereSomethingStandsStraightBefore) {
+  Machine machine = six_metres_wide(4);
+  machine.turning.lower_m = 1;
+  const OnLand on({kHectare, {post_at(50.2)}}, machine);
+  const Way way = on.connector.between(northwards({60, 20}, 30), southwards({40, 50}, 30));
+  EXPECT_TRUE(way.has_room() && way.backs_in && !way.backs_out);
+  EXPECT_TRUE(on.land.fits(way.path, on.ground.outline()));
+}
+
+constexpr double kTight_m = 1, kDrawbar_m = 2.66, kLift_m = 2.2, kLower_m = 0.5;
+
+/// Behind a drawbar that is longer than the radius.
+Machine towing() {
+  Machine out = six_metres_wide(kTight_m);
+  out.turning.implement = Coupling::kTowed;
+  out.turning.drawbar_m = kDrawbar_m;
+  out.turning.lift_m = kLift_m;
+  out.turning.lower_m = kLower_m;
+  return out;
+}
+
+/// How far the implement is beside its line behind half a circle and so much straight on, m. The angle b from
+/// the drawbar to the machine's heading grows by 1/r of the way, and falls by sin b / L of it; by the
+/// midpoint of each of many steps.
+double beside_m(double straight_m) {
+  double b = 0;
+  const auto drive = [&b](double way_m, double curvature) {
+    constexpr int kSteps = 20000;
+    const double step_m = way_m / kSteps;
+    const auto rate = [&](double angle) { return curvature - std::sin(angle) / kDrawbar_m; };
+    for (int i = 0; i < kSteps; ++i) b += step_m * rate(b + 0.5 * step_m * rate(b));
+  };
+  drive(std::numbers::pi * kTight_m, 1 / kTight_m);
+  drive(straight_m, 0);
+  return kDrawbar_m * std::abs(std::sin(b));
+}
+
+// On land four metres wide. Half a circle bends the drawbar by more than a right angle, so that the implement
+// is farther beside the line behind the straight on which it is lowered than before.
+TEST(Connector, TellsOfWaysWithoutRoomWhereTheImplementIsWhenItIsLowered) {
+  const OnLand on({{{-3, 0}, {1, 0}, {1, 80}, {-3, 80}}, {}}, towing());
+  // The circle begins where the implement is lifted, and ends where it is still to be lowered.
+  const SteeredPath left = northwards({0, 20}, 30),
+                    entered = southwards({-2 * kTight_m, 50 + kLift_m - kLower_m}, 30);
+  const Way way = on.connector.between(left, entered);
+  ASSERT_FALSE(way.has_room());
+  EXPECT_NEAR(length(way.path), kLift_m + std::numbers::pi * kTight_m + kLower_m, 1e-9);
+  ASSERT_GT(beside_m(kLower_m), beside_m(0) + 0.05);
+  EXPECT_NEAR(way.lateral_error_m, beside_m(kLower_m), 1e-6);
+  EXPECT_NEAR(way.missing_m, on.land.missing_m(way.path, on.ground.outline()), 1e-9);
+  EXPECT_NEAR(way.time_s, length(way.path) / on.machine.turning.turning_speed_mps, 1e-9);
+}
+
+}  // namespace connector_test
+}  // namespace tramline
