@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "tramline/planner/whole/expected_route.h"
+
 namespace tramline {
 namespace {
 
@@ -86,6 +88,25 @@ TEST(RoomLackedByOthers, IsTheLeastOfSeveralBehindAsManyPasses) {
   plans.push_back(without_room(2, 3, 350));
   EXPECT_DOUBLE_EQ(room_lacked_by_others(plans, asked), 3 * kPriceWithoutRoom);
   EXPECT_EQ(room_lacked_by_others(plans, without_room(1, 0, {})), 0);
+}
+
+ComparedPlan behind(int passes, std::size_t pieces, std::optional<double> beyond_floor) {
+  ComparedPlan out;
+  out.laid.trial.passes.edges.assign(4, passes);
+  pieces_of(out).resize(pieces);
+  out.beyond_floor = beyond_floor;
+  return out;
+}
+
+// Two fifths of 20 €; behind two passes, three tracks and what counts as two more cost 50 €, so eight and two
+// cost three fifths of 100 €.
+TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansBehindTheSamePasses) {
+  ComparedPlans plans;
+  EXPECT_EQ(least_beyond_floor(plans, behind(2, 8, {})), 0);
+  plans = {behind(2, 3, 50), behind(1, 3, 20), behind(2, 30, {})};
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 8, {})), 60);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 8, {})), 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 33, {})), 8) << "of many tracks it tells nothing";
 }
 
 }  // namespace

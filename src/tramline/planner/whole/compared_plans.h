@@ -12,8 +12,10 @@ namespace tramline {
 /// A plan to be compared. It has its route where it has a price.
 struct ComparedPlan {
   LaidOut laid;
-  double floor = 0;                   ///< route_floor(), EUR
-  std::optional<double> price{};      ///< the cost of its route, EUR
+  double floor = 0;               ///< route_floor(), EUR
+  std::optional<double> price{};  ///< the cost of its route, EUR
+  /// What its route costs beyond the floor, but for legs without room, EUR; of those only told of nothing.
+  std::optional<double> beyond_floor{};
   double lacks_room_like_others = 0;  ///< what its legs without room are expected to cost, EUR
   bool only_told_of = false;          ///< it was not expected to win: nothing is made from it
 

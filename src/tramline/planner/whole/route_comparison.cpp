@@ -7,22 +7,14 @@
 #include <utility>
 
 #include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/whole/expected_route.h"
 #include "tramline/planner/whole/route_alternative.h"
 
 namespace tramline {
-namespace {
-
-/// The share of what routes cost beyond their floors that the next one is expected to cost too.
-constexpr double kExpected = 0.4;
-
-}  // namespace
 
 RouteComparison::RouteComparison(const PlanningProblem& problem, Compare compare,
                                  const SearchContext& context)
-    : problem_(problem),
-      compare_(compare),
-      context_(context),
-      least_beyond_floor_(std::numeric_limits<double>::max()) {
+    : problem_(problem), compare_(compare), context_(context) {
   problem_.settings.turns = TurnPlanning::kNone;
 }
 
@@ -41,7 +33,7 @@ double RouteComparison::least_price() const {
 }
 
 double RouteComparison::least_expected(const ComparedPlan& entry) const {
-  return entry.floor + kExpected * least_beyond_floor_;
+  return entry.floor + least_beyond_floor(plans_, entry);
 }
 
 std::size_t RouteComparison::add(LaidOut laid) { return add(compared_plan(std::move(laid))); }
@@ -76,7 +68,7 @@ bool RouteComparison::improves(std::size_t i) {
   if (!may_win) return false;
   // Other layouts may have room where this one has none.
   const double with_room = *entry.price - whole_cost(entry.plan()).without_room;
-  least_beyond_floor_ = std::min(least_beyond_floor_, std::max(0.0, with_room - entry.floor));
+  entry.beyond_floor = std::max(0.0, with_room - entry.floor);
   if (*entry.price >= before) return false;
   best_ = i;
   return true;

@@ -36,8 +36,8 @@ class RouteComparison {
   const Plan& best_plan() const { return best().draft.plan; }
   /// EUR; infinite where there is none.
   double least_price() const;
-  /// Less than what the entry will cost is not to be expected, EUR: its floor, and a part of what routes of
-  /// this field cost beyond their floors at the least, so far.
+  /// Less than this the route of the entry is not expected to cost, EUR: its floor, and what it costs beyond
+  /// at the least, as least_beyond_floor() has it.
   double least_expected(const ComparedPlan& entry) const;
 
   /// Its number among plans().
@@ -74,7 +74,6 @@ class RouteComparison {
   const SearchContext& context_;
   ComparedPlans plans_;
   std::optional<std::size_t> best_{};
-  double least_beyond_floor_;
   std::vector<RouteAlternative> told_of_;
 };
 
