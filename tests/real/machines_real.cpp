@@ -5,7 +5,7 @@
 //
 // COUNT of all fields, drawn with SEED, which is 1 without further word; or of these the one of this NUMBER
 // alone, counted from 0. Prints a line for every field with all that was drawn, and a summary; exit code 1
-// where a plan does not hold.
+// where a plan does not hold, whose file is left in place and named.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -148,12 +148,13 @@ Fared plan_and_verify(const Field& field, int number, Random random) {
     else
       add_failure(error, faults);
   }
-  std::error_code ignored;
-  fs::remove(file, ignored);
   out.faulty = !faults.empty();
+  std::error_code ignored;
+  if (!out.faulty) fs::remove(file, ignored);
   fmt::print("  {}: {} {}: {}\n", number, field.id, out.planned ? "planned" : "refused",
              words_of(machine, settings));
   print_faults(field, faults);
+  if (out.faulty) fmt::print("  {}\n", file);
   std::fflush(stdout);
   return out;
 }
