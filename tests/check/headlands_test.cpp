@@ -147,6 +147,15 @@ TEST(Headlands, SecondPassRoundAnObstacleNearerThanItMay) {
   EXPECT_FALSE(names.contains("headland"));
 }
 
+/// Its pass touches the copse.
+TEST(Headlands, PassNearerToAnObstacleThanTheClearance) {
+  Plan plan = island_plan();
+  plan.settings.clearance_m = 0.0005;
+  EXPECT_FALSE(found(settled(plan)).contains("headland"));
+  plan.settings.clearance_m = 0.01;
+  EXPECT_TRUE(found(settled(plan)).contains("headland"));
+}
+
 TEST(Headlands, PassThatCannotBeDriven) {
   const auto with = [](const Path& path) {
     Plan plan = headland_plan(1);

@@ -65,13 +65,16 @@ double distance_to_ring(const Path& path, const std::vector<Box>& reaches, const
   return out;
 }
 
-void look_at_sides(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
-  const std::vector<Box> reaches = reaches_of(pass.path, width);
+/// Of the distance from obstacles the clearance is taken off.
+void look_at_sides(const Field& field, const HeadlandTerms& terms, const HeadlandPass& pass, Faults& out) {
+  const double width = terms.width_m, enough = width + terms.clearance_m;
+  const std::vector<Box> reaches = reaches_of(pass.path, enough);
   double nearest = distance_to_ring(pass.path, reaches, field.outer, width);
   bool inside = contains(field.outer, pass.path.front().from);
   for (const Obstacle& obstacle : field.obstacles) {
     if (obstacle.kind == ObstacleKind::kPassable) continue;
-    nearest = std::min(nearest, distance_to_ring(pass.path, reaches, obstacle.shape.outer, width));
+    const double away = distance_to_ring(pass.path, reaches, obstacle.shape.outer, enough);
+    nearest = std::min(nearest, away - terms.clearance_m);
     inside = inside && !contains(obstacle.shape.outer, pass.path.front().from);
   }
   // Where an open pass is driven straight on, boundaries may reach a tenth of a millimetre into its sides.
@@ -82,11 +85,14 @@ void look_at_sides(const Field& field, double width, const HeadlandPass& pass, F
 }
 
 /// An open pass may run with its end up to a boundary: flat as it ends there its swath is in the field.
-void look_at_ends(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
+void look_at_ends(const Field& field, const HeadlandTerms& terms, const HeadlandPass& pass, Faults& out) {
   constexpr double kBeside = 2e-4;  // m
+  const double width = terms.width_m;
   Region land{{field.outer, {}}};
   for (const Obstacle& obstacle : field.obstacles)
-    if (obstacle.kind == ObstacleKind::kObstacle) land = difference(land, {obstacle.shape});
+    if (obstacle.kind == ObstacleKind::kObstacle)
+      land = difference(land, terms.clearance_m > 0 ? buffered({obstacle.shape}, terms.clearance_m)
+                                                    : Region{obstacle.shape});
   for (const double end : {0.0, length(pass.path) - 0.5 * width}) {
     const Path part =
         stretch_of(pass.path, std::max(0.0, end), std::min(end + 0.5 * width, length(pass.path)));
@@ -96,16 +102,17 @@ void look_at_ends(const Field& field, double width, const HeadlandPass& pass, Fa
   }
 }
 
-void look_at_place(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
+void look_at_place(const Field& field, const HeadlandTerms& terms, const HeadlandPass& pass, Faults& out) {
+  const double width = terms.width_m;
   if (!is_closed(pass)) {
-    look_at_ends(field, width, pass, out);
+    look_at_ends(field, terms, pass, out);
     if (length(pass.path) < 1.01 * width) return;
     HeadlandPass middle = pass;
     middle.path = stretch_of(pass.path, 0.5 * width, length(pass.path) - 0.5 * width);
-    look_at_sides(field, width, middle, out);
+    look_at_sides(field, terms, middle, out);
     return;
   }
-  look_at_sides(field, width, pass, out);
+  look_at_sides(field, terms, pass, out);
 }
 /// Land that two bands share, m².
 double shared(const Path& a, const Path& b, double width) {
@@ -170,7 +177,7 @@ std::vector<std::string> faults_of(const Field& field, const HeadlandTerms& term
     }
     look_at_path(pass, tightest_m(terms), out);
     look_at_crossings(pass, out);
-    look_at_place(field, terms.width_m, pass, out);
+    look_at_place(field, terms, pass, out);
   }
   look_at_areas(field, terms.width_m, headland, out);
   return out;

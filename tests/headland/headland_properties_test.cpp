@@ -28,8 +28,11 @@ HeadlandTerms random_terms(std::mt19937_64& random, const Field& field, double w
                       whole(0, 3) == 0 ? 0.0 : std::uniform_real_distribution<double>(0, 15)(random),
                       whole(0, 3),
                       {}};
-  if (whole(0, 1) == 0) return terms_of(field, width_m, terms.radius_m, whole(1, 3));
-  for (std::size_t i = 0; i < field.obstacles.size(); ++i) terms.obstacle_passes.push_back(whole(0, 3));
+  if (whole(0, 1) == 0)
+    terms = terms_of(field, width_m, terms.radius_m, whole(1, 3));
+  else
+    for (std::size_t i = 0; i < field.obstacles.size(); ++i) terms.obstacle_passes.push_back(whole(0, 3));
+  if (whole(0, 3) == 0) terms.clearance_m = std::uniform_real_distribution<double>(0, 3)(random);
   return terms;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,6 +71,48 @@ TEST(Headland, OfARectangle) {
   EXPECT_NEAR(area(headland.ground), 6000 - 88 * 48, kArea);
   EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36, kArea);
   EXPECT_NEAR(headland.overlap_m2, 0, kArea);
+}
+
+// About the corners of a square the pass, its outer edge and the clearance end in quarters of circles; with
+// mitres all three are squares.
+TEST(Headland, KeepsTheClearanceFromAnObstacle) {
+  const double w = 4, clear = 1.5, side = 20;
+  HeadlandTerms terms{w, 0, 0, {1}};
+  terms.clearance_m = clear;
+  const Field field = field_of(box(0, 0, 100, 60), {box(40, 20, 60, 40)});
+  const auto grown_by = [&](double by) { return 4 * side * by + kPi * by * by; };
+  const HeadlandAndBody round = made(field, terms);
+  ASSERT_EQ(round.passes.size(), 1u);
+  EXPECT_NEAR(length(round.passes[0].path), 4 * side + 2 * kPi * (clear + 0.5 * w), kLength);
+  EXPECT_NEAR(area(round.ground), grown_by(clear + w), kChords);
+  EXPECT_NEAR(round.uncovered_m2, grown_by(clear), kArea);
+  EXPECT_NEAR(round.worked_m2, grown_by(clear + w) - grown_by(clear), kArea);
+
+  terms.construction = HeadlandConstruction::kPlain;
+  const auto square = [&](double by) { return (side + 2 * by) * (side + 2 * by); };
+  const HeadlandAndBody plain = headland_of(field, terms);
+  ASSERT_EQ(plain.passes.size(), 1u);
+  EXPECT_NEAR(length(plain.passes[0].path), 4 * (side + 2 * clear + w), kLength);
+  EXPECT_NEAR(area(plain.ground), square(clear + w) - square(0), kArea);
+  EXPECT_NEAR(plain.uncovered_m2, square(clear) - square(0), kArea);
+}
+
+// A pass round the field keeps it too where an obstacle without passes is in its way; so does the land within
+// a ring of trees.
+TEST(Headland, KeepsTheClearanceFromBareObstaclesAndWithinThem) {
+  HeadlandTerms terms{4, 0, 1, {0}};
+  terms.clearance_m = 1;
+  made(field_of(box(0, 0, 100, 60), {box(40, 2, 60, 12)}), terms);
+
+  Field field = field_of(box(0, 0, 100, 60), {box(30, 10, 70, 50)});
+  field.obstacles[0].shape.holes = {reversed(box(35, 15, 65, 45))};
+  terms.obstacle_passes = {1};
+  const HeadlandAndBody headland = made(field, terms);
+  const auto within = std::ranges::find_if(headland.body, [](const Polygon& part) {
+    return contains(part, Point{50, 30});
+  });
+  ASSERT_NE(within, headland.body.end());
+  EXPECT_NEAR(area(*within), 28.0 * 28.0, kArea);
 }
 
 // Each pass leaves (ρ + w/2)² of the corner outside, and works (ρ − w/2)² inside that belong to the next.

@@ -66,7 +66,7 @@ std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries,
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.offset_boundaries);
   };
   std::vector<SwathLimit> limits;
-  for (const Boundary& boundary : boundaries) limits.push_back({boundary.ring, 0});
+  for (const Boundary& boundary : boundaries) limits.push_back({boundary.ring, boundary.clearance_m});
   std::vector<Path> out;
   for (const std::size_t start : rings_to_follow(centre_lines, boundaries, number)) {
     const RollingCirclePaths ways =

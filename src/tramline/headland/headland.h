@@ -21,6 +21,7 @@ struct HeadlandTerms {
   /// By edges of Field::outer, edge i from vertex i to vertex i + 1; empty: field_passes along all of them,
   /// else field_passes does not count. Different numbers require kDrivable.
   std::vector<int> edge_passes{};
+  double clearance_m = 0;  ///< land kept free round obstacles that are not passable, ≥ 0
 
   bool operator==(const HeadlandTerms&) const = default;
 };
@@ -31,7 +32,8 @@ struct HeadlandAndBody : Headland {
 };
 
 /// With HeadlandConstruction::kPlain as plain_headland_of(). Else pass i runs (i − ½)·w from the boundaries
-/// that have that many passes; the headland is as many widths deep. It keeps half a width from the last pass
+/// that have that many passes, of obstacles and the clearance; the headland is as many widths deep, and the
+/// clearance, which no pass works. It keeps half a width from the last pass
 /// of other boundaries, or from the obstacle where that has none. Round a corner that stands out into the
 /// land it runs along an arc at that distance, and swings wide where that would be tighter than the machine
 /// can turn; into all others it goes as far as the machine can turn.
@@ -42,8 +44,8 @@ struct HeadlandAndBody : Headland {
 /// would for the most part follow boundaries whose passes are all driven already.
 ///
 /// Ground that no pass works is body where a track fits: at least a width from every boundary that has a
-/// headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the least
-/// length or two widths, whichever is more. The rest counts as uncovered.
+/// headland (no swath leaves the field there, however it ends) and the clearance, as wide as a swath, and as
+/// long as the least length or two widths, whichever is more. The rest counts as uncovered.
 ///
 /// With different numbers by edge, as many passes as all edges have go round the field. Each further pass
 /// runs along every chain of edges that have it, without regard to the others, as an open path: round corners

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/significant_vertices.h"
 #include "tramline/headland/tolerances.h"
 
@@ -22,22 +23,29 @@ std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& ter
     const Obstacle& obstacle = field.obstacles[i];
     if (obstacle.kind != ObstacleKind::kObstacle) continue;
     const int passes = i < terms.obstacle_passes.size() ? terms.obstacle_passes[i] : 0;
-    out.push_back({without_idle_vertices(reversed(obstacle.shape.outer)), passes, i});
+    out.push_back({without_idle_vertices(reversed(obstacle.shape.outer)), passes, i, terms.clearance_m});
   }
   std::erase_if(out, [](const Boundary& boundary) { return boundary.ring.size() < 3; });
   return out;
 }
 
 double pass_distance_m(const Boundary& boundary, int pass, double width_m) {
-  return (std::min(pass, boundary.passes + 1) - 0.5) * width_m;
+  return boundary.clearance_m + (std::min(pass, boundary.passes + 1) - 0.5) * width_m;
+}
+
+double headland_depth_m(const Boundary& boundary, int passes, double width_m) {
+  return boundary.clearance_m + passes * width_m;
 }
 
 Region land_inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries) {
   Region out;
   for (const Boundary& boundary : boundaries)
     if (boundary.obstacle && boundary.passes > 0)
-      for (const Ring& hole : field.obstacles[*boundary.obstacle].shape.holes)
-        out.push_back({reversed(hole), {}});
+      for (const Ring& hole : field.obstacles[*boundary.obstacle].shape.holes) {
+        const Region inside{{reversed(hole), {}}};
+        const Region kept = boundary.clearance_m > 0 ? buffered(inside, -boundary.clearance_m) : inside;
+        out.insert(out.end(), kept.begin(), kept.end());
+      }
   return out;
 }
 
@@ -45,7 +53,7 @@ Region land_behind_headlands(const std::vector<Boundary>& boundaries, double wid
   std::vector<OffsetBoundary> offset_boundaries;
   double deepest = width_m;
   for (const Boundary& boundary : boundaries) {
-    const double depth = boundary.passes * width_m;
+    const double depth = headland_depth_m(boundary, boundary.passes, width_m);
     deepest = std::max(deepest, depth);
     if (boundary.passes > 0) offset_boundaries.push_back({boundary.ring, depth});
   }

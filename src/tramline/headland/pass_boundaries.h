@@ -16,15 +16,20 @@ struct Boundary {
               ///< are left out
   int passes = 0;                         ///< of its headland
   std::optional<std::size_t> obstacle{};  ///< index into Field::obstacles; nullopt: the field's outer ring
+  double clearance_m = 0;                 ///< to all swaths
 };
 
 /// The field's outer ring, then the obstacles that are not passable, without their holes.
 std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& terms);
 
-/// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3).
+/// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3); the clearance more than
+/// Zhou's.
 double pass_distance_m(const Boundary& boundary, int pass, double width_m);
 
-/// Land inside obstacles that have a headland: the headland lies outside.
+/// How deep the headland of so many passes is, with the clearance, m.
+double headland_depth_m(const Boundary& boundary, int passes, double width_m);
+
+/// Land inside obstacles that have a headland, but for the clearance: the headland lies outside.
 Region land_inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries);
 
 /// The land free for tracks as far as headlands are concerned, as a region with chords (kBodySagitta):

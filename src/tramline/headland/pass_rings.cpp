@@ -111,8 +111,10 @@ class Chosen {
   Path to_the_end(const Path& path) const {
     const double width_m = scene_.terms.width_m;
     std::vector<SwathLimit> limits;
-    for (std::size_t i = 0; i < scene_.boundaries.size(); ++i)
-      limits.push_back({scene_.boundaries[i].ring, scene_.has_pass(i) ? (scene_.number - 1) * width_m : 0});
+    for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
+      const int before = scene_.has_pass(i) ? scene_.number - 1 : 0;
+      limits.push_back({scene_.boundaries[i].ring, headland_depth_m(scene_.boundaries[i], before, width_m)});
+    }
     return driven_to_the_end(path, limits, width_m, 0.5 * width_m);
   }
 

@@ -120,7 +120,8 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                             problem.settings.tracks == TrackConstruction::kPaper
                                 ? HeadlandConstruction::kPlain
                                 : HeadlandConstruction::kDrivable,
-                            problem.settings.headland_edges};
+                            problem.settings.headland_edges,
+                            problem.settings.clearance_m};
   HeadlandAndBody headland = headland_of(problem.field, terms);
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;

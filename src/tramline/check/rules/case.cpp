@@ -24,22 +24,28 @@ BoundedRegion without_headland(const Plan& plan) {
   return out;
 }
 
-/// Land beside the boundaries that have headlands, as deep as these or as so many passes.
+/// Land beside the boundaries that have headlands, as deep as these or as so many passes, and round obstacles
+/// the clearance.
 class Surroundings {
  public:
   Surroundings(const Plan& plan, int most_passes)
       : width_m_(plan.machine.width_m),
         most_passes_(most_passes),
         plain_(plan.headland.construction == HeadlandConstruction::kPlain) {
-    add(plan.field.outer, passes_round_field(plan));
+    add(plan.field.outer, passes_round_field(plan), 0);
     add_along_edges(plan);
+    const double clearance_m = plan.settings.clearance_m;
     Region holes;
     for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
       const int passes = passes_round(plan, i);
       if (passes <= 0) continue;
       const Polygon shape = oriented(plan.field.obstacles[i].shape);
-      add(reversed(shape.outer), passes);
-      for (const Ring& hole : shape.holes) holes.push_back({reversed(hole), {}});
+      add(reversed(shape.outer), passes, clearance_m);
+      for (const Ring& hole : shape.holes) {
+        const Region inside{{reversed(hole), {}}};
+        const Region kept = clearance_m > 0 ? moved_inwards(inside, clearance_m) : inside;
+        holes.insert(holes.end(), kept.begin(), kept.end());
+      }
     }
     land_ = unite(land_);
     if (!holes.empty()) land_ = difference(land_, unite(holes));
@@ -52,15 +58,16 @@ class Surroundings {
   }
 
  private:
-  void add(const Ring& ring, int all_passes) {
+  void add(const Ring& ring, int all_passes, double clearance_m) {
     const int passes = std::min(all_passes, most_passes_);
     if (passes <= 0) return;
     if (plain_) {
-      add_plain(ring, passes);
+      add_plain(ring, passes, clearance_m);
       return;
     }
-    for (Polygon& part : land_near(ring, passes * width_m_)) land_.push_back(std::move(part));
-    arcs_m_ += arcs_about_corners_m(ring, passes * width_m_);
+    const double deep_m = clearance_m + passes * width_m_;
+    for (Polygon& part : land_near(ring, deep_m)) land_.push_back(std::move(part));
+    arcs_m_ += arcs_about_corners_m(ring, deep_m);
   }
 
   /// Where some edges have more passes than others.
@@ -76,12 +83,12 @@ class Surroundings {
   }
 
   /// Pass by pass as in Zhou §2.3.3: half a width, whole ones, and half a width.
-  void add_plain(const Ring& ring, int passes) {
+  void add_plain(const Ring& ring, int passes, double clearance_m) {
     const bool inwards = signed_area(ring) > 0;
     const Region whole{{inwards ? ring : reversed(ring), {}}};
     Region last = whole;
     for (int i = 0; i <= passes; ++i) {
-      const double by_m = (i == 0 || i == passes ? 0.5 : 1) * width_m_;
+      const double by_m = (i == 0 ? clearance_m : 0) + (i == 0 || i == passes ? 0.5 : 1) * width_m_;
       last = inwards ? moved_inwards(last, by_m) : moved_outwards(last, by_m);
     }
     const Region beside = inwards ? difference(whole, last) : last;

@@ -111,7 +111,8 @@ std::vector<SwathLimit> limits_of(const ChainScene& scene) {
   // Chords are no part of it: a swath beside it comes nearer than it should by slack alone.
   out.push_back({scene.boundaries.front().ring, 0, 2 * kNearerPass_m});
   for (const Boundary& obstacle : scene.obstacles)
-    out.push_back({obstacle.ring, std::min(scene.number - 1, obstacle.passes) * scene.width_m()});
+    out.push_back({obstacle.ring,
+                   headland_depth_m(obstacle, std::min(scene.number - 1, obstacle.passes), scene.width_m())});
   const std::vector<Ring> at_ends = fences(scene);
   if (scene.to_follow.ground.first == ChainEnding::kFlat) out.push_back({at_ends.front(), 0});
   if (scene.to_follow.ground.last == ChainEnding::kFlat) out.push_back({at_ends.back(), 0});

@@ -22,11 +22,12 @@ class Nested {
     const Region whole{{obstacle() ? reversed(boundary.ring) : boundary.ring, {}}};
     Region last = whole;
     for (int i = 1; i <= boundary.passes; ++i) {
-      last = moved_by(last, (i == 1 ? 0.5 : 1) * width_m);
+      last = moved_by(last, i == 1 ? boundary.clearance_m + 0.5 * width_m : width_m);
       centres_.push_back(last);
     }
     border_ = boundary.passes > 0 ? moved_by(last, 0.5 * width_m) : whole;
-    centres_.push_back(moved_by(border_, 0.5 * width_m));
+    const double kept_m = boundary.passes > 0 ? 0 : boundary.clearance_m;
+    centres_.push_back(moved_by(border_, kept_m + 0.5 * width_m));
   }
 
   bool obstacle() const { return boundary_.obstacle.has_value(); }

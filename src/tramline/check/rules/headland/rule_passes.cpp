@@ -69,7 +69,7 @@ class PassCheck {
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
       if (obstacles[k].kind != ObstacleKind::kObstacle) continue;
-      const double kept = kept_m(passes_round(c_.plan, k));
+      const double kept = kept_m(passes_round(c_.plan, k)) + c_.plan.settings.clearance_m;
       check_distance(nearest([&](const SwathClearance& swath) {
                        return intersects(c_.obstacle_boxes[k], swath.field_box(kept))
                                   ? swath.to_land(obstacles[k].shape, kept)
