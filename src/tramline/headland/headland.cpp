@@ -73,9 +73,9 @@ Region take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms,
   return narrow;
 }
 
-/// The land where tracks may end in any direction, a width from every boundary that has passes, and where
-/// they may also reach over the edge of their ground, a width from every boundary. Neither includes the
-/// ground of chains.
+/// The land where tracks may end in any direction, a width and the clearance from every boundary that has
+/// passes, and where they may also reach over the edge of their ground, as far from every boundary. Neither
+/// includes the ground of chains.
 ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, const ChainsByNumber& chains,
                               double width_m) {
   bool all = true;

@@ -32,8 +32,8 @@ struct HeadlandAndBody : Headland {
 };
 
 /// With HeadlandConstruction::kPlain as plain_headland_of(). Else pass i runs (i − ½)·w from the boundaries
-/// that have that many passes, of obstacles and the clearance; the headland is as many widths deep, and the
-/// clearance, which no pass works. It keeps half a width from the last pass
+/// that have that many passes, and from obstacles the clearance farther; the headland is as many widths deep,
+/// with the clearance, which no pass works. It keeps half a width from the last pass
 /// of other boundaries, or from the obstacle where that has none. Round a corner that stands out into the
 /// land it runs along an arc at that distance, and swings wide where that would be tighter than the machine
 /// can turn; into all others it goes as far as the machine can turn.

@@ -22,8 +22,8 @@ struct Boundary {
 /// The field's outer ring, then the obstacles that are not passable, without their holes.
 std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& terms);
 
-/// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3); the clearance more than
-/// Zhou's.
+/// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3, who has no
+/// clearance).
 double pass_distance_m(const Boundary& boundary, int pass, double width_m);
 
 /// How deep the headland of so many passes is, with the clearance, m.
