@@ -33,10 +33,10 @@ struct HeadlandAndBody : Headland {
 
 /// With HeadlandConstruction::kPlain as plain_headland_of(). Else pass i runs (i − ½)·w from the boundaries
 /// that have that many passes, and from obstacles the clearance farther; the headland is as many widths deep,
-/// with the clearance, which no pass works. It keeps half a width from the last pass
-/// of other boundaries, or from the obstacle where that has none. Round a corner that stands out into the
-/// land it runs along an arc at that distance, and swings wide where that would be tighter than the machine
-/// can turn; into all others it goes as far as the machine can turn.
+/// with the clearance, which no pass works. It keeps half a width from the last pass of other boundaries, or
+/// from the obstacle where that has none. Round a corner that stands out into the land it runs along an arc
+/// at that distance, and swings wide where that would be tighter than the machine can turn; into all others
+/// it goes as far as the machine can turn.
 ///
 /// Boundaries whose swaths with one number would meet are driven round together. In a passage too narrow to
 /// turn in, both sides are driven, corners rounded as elsewhere, where that is possible and works more ground
