@@ -102,7 +102,9 @@ TEST(Headland, KeepsTheClearanceFromAnObstacle) {
 TEST(Headland, KeepsTheClearanceFromBareObstaclesAndWithinThem) {
   HeadlandTerms terms{4, 0, 1, {0}};
   terms.clearance_m = 1;
-  made(field_of(box(0, 0, 100, 60), {box(40, 2, 60, 12)}), terms);
+  const HeadlandAndBody past = made(field_of(box(0, 0, 100, 60), {box(40, 2, 60, 12)}), terms);
+  ASSERT_EQ(past.passes.size(), 1u);
+  EXPECT_NEAR(distance_to_path({50, 12}, past.passes[0].path), 1 + 0.5 * 4, kLength);
 
   Field field = field_of(box(0, 0, 100, 60), {box(30, 10, 70, 50)});
   field.obstacles[0].shape.holes = {reversed(box(35, 15, 65, 45))};

@@ -149,12 +149,14 @@ Fared plan_and_verify(const Field& field, int number, Random random) {
       add_failure(error, faults);
   }
   out.faulty = !faults.empty();
-  std::error_code ignored;
-  if (!out.faulty) fs::remove(file, ignored);
   fmt::print("  {}: {} {}: {}\n", number, field.id, out.planned ? "planned" : "refused",
              words_of(machine, settings));
   print_faults(field, faults);
-  if (out.faulty) fmt::print("  {}\n", file);
+  std::error_code ignored;
+  if (out.faulty)
+    fmt::print("  {}\n", file);
+  else
+    fs::remove(file, ignored);
   std::fflush(stdout);
   return out;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -15,6 +16,8 @@
 #include "properties/seeds.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/model/limits.h"
 #include "tramline/planner/plan_field.h"
 
@@ -370,6 +373,53 @@ TEST(PlannedPlans, WithKinksHoldAndAreFoundUndrivable) {
   EXPECT_FALSE(verdict.findings.empty());
   for (const check::Violation& each : verdict.findings)
     EXPECT_EQ(each.rule, check::Rule::kDrivable) << each.what;
+}
+
+/// A wall, hardly at an angle to the long sides of the field.
+Field walled_field() {
+  Field out;
+  out.id = "walled";
+  out.outer = {{0, 0}, {160, 0}, {160, 70}, {0, 70}};
+  out.obstacles.push_back(
+      {{{{50, 31}, {110, 36}, {110, 38}, {50, 33}}, {}}, ObstacleKind::kObstacle, "wall"});
+  return out;
+}
+
+/// Between the line of a pass and a ring, m.
+double line_to_ring_m(const Path& line, const Ring& ring) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const PathSegment& segment : line)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      out = std::min(out, distance_to_edge(segment, ring[i], ring[(i + 1) % ring.size()]));
+  return out;
+}
+
+Polygon swath_of(const TrackPiece& piece, double width_m) {
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
+  const Point beside = 0.5 * width_m * left_of(along);
+  return {{piece.start - beside, piece.end - beside, piece.end + beside, piece.start + beside}, {}};
+}
+
+// A track that covers its ground up to an oblique edge runs on into the headland beyond, nearly as far as
+// that is deep.
+TEST(PlannedPlans, KeepTheClearanceBehindAHeadland) {
+  constexpr double kWidth_m = 6, kClear_m = 0.8;
+  const Field field = walled_field();
+  const Polygon& wall = field.obstacles.front().shape;
+  PlanSettings settings;
+  settings.obstacle_headlands = 1;
+  settings.end_rule = EndRule::kCover;
+  settings.clearance_m = kClear_m;
+  const Plan plan = plan_field(field, {"", kWidth_m, 4}, {}, settings, 1);
+  for (const check::Violation& each : check::verify(plan).violations)
+    ADD_FAILURE() << name(each.rule) << ": " << each.what;
+  ASSERT_EQ(plan.headland.passes.size(), 1U);
+  EXPECT_NEAR(line_to_ring_m(plan.headland.passes[0].path, wall.outer), kClear_m + 0.5 * kWidth_m, 1e-5);
+  double nearest_m = kWidth_m;
+  for (const TrackPiece& piece : plan.pieces)
+    nearest_m = std::min(nearest_m, distance_between({swath_of(piece, kWidth_m)}, {wall}));
+  EXPECT_GE(nearest_m, kClear_m - 1e-3);
+  EXPECT_LT(nearest_m, kClear_m + 0.2 * kWidth_m) << "some track runs on";
 }
 
 // Plain headlands and tracks from the envelope hold in every figure, with obstacles that are near one another
