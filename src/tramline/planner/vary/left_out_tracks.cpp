@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,22 +28,36 @@ class Drops {
 
  private:
   /// Drops all runs of tracks at once that are not worth their ways; where that does not save what is worth
-  /// it the better half of them, and so on; or else one of the next best.
+  /// it the better half of them, and so on; or else one of the next best. A dearer plan than the best one
+  /// that is no cheaper without all of them is left as it is: without fewer it hardly ever is.
   bool drops_some(ComparedPlan& entry) {
     const std::vector<PieceRun> runs = not_worth_their_ways(entry.laid.trial);
-    for (std::size_t count = runs.size(); count > 0; count /= 2)
-      if (drops({runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(count)}, entry)) return true;
+    if (expected_without(runs, entry) >= plans_.least_price()) return false;
+    for (std::size_t count = runs.size(); count > 0; count /= 2) {
+      auto less = routed_without({runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(count)}, entry);
+      if (!less) return false;
+      if (takes(*less, entry)) return true;
+      if (count == runs.size() && is_dearer(entry) && !is_cheaper(*less)) return false;
+    }
     for (std::size_t next = 1; next < std::min(runs.size(), kTriedAlone); ++next)
-      if (drops({runs[next]}, entry)) return true;
+      if (auto less = routed_without({runs[next]}, entry); less && takes(*less, entry)) return true;
     return false;
   }
 
-  bool drops(const std::vector<PieceRun>& runs, ComparedPlan& entry) {
+  bool is_dearer(const ComparedPlan& plan) const { return *plan.price > plans_.least_price(); }
+  bool is_cheaper(const ComparedPlan& plan) const { return *plan.price < plans_.least_price(); }
+
+  /// The same plan without some tracks, with its route; nothing once enough of them were planned.
+  std::optional<ComparedPlan> routed_without(const std::vector<PieceRun>& runs, const ComparedPlan& entry) {
     routed_ += entry.plan().pieces.size();
-    if (routed_ > kRoutedForDrops || plans_.has_to_end()) return false;
+    if (routed_ > kRoutedForDrops || plans_.has_to_end()) return std::nullopt;
     ComparedPlan less = entry;
     less.laid.trial = without(runs, std::move(less.laid.trial));
     plans_.plan_route(less);
+    return less;
+  }
+
+  static bool takes(ComparedPlan& less, ComparedPlan& entry) {
     if (!is_worth_dropping(entry.plan(), less.plan())) return false;
     entry = std::move(less);
     return true;

@@ -1,13 +1,13 @@
 #include "tramline/planner/whole/compared_plans.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
 
 #include "tramline/planner/headland_choice/foreseen_passes.h"
-#include "tramline/planner/whole/dropped_tracks.h"
 #include "tramline/planner/whole/plan_faults.h"
 #include "tramline/planner/whole/route_floor.h"
 
@@ -130,13 +130,19 @@ std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double l
                         [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
 }
 
+double expected_without(const std::vector<PieceRun>& runs, const ComparedPlan& plan) {
+  assert(plan.price);
+  double out = *plan.price;
+  for (const PieceRun& run : runs) out -= run.saved;
+  return out;
+}
+
 std::vector<Hopeful> hopeful_without_tracks(const ComparedPlans& plans, double least_price) {
   std::vector<Hopeful> out;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (!plans[i].price || plans[i].only_told_of) continue;
     const std::vector<PieceRun> runs = not_worth_their_ways(plans[i].laid.trial);
-    double expected = *plans[i].price;
-    for (const PieceRun& run : runs) expected -= run.saved;
+    const double expected = expected_without(runs, plans[i]);
     if (!runs.empty() && expected < least_price) out.push_back({expected, i});
   }
   std::ranges::stable_sort(out, {}, &Hopeful::expected);

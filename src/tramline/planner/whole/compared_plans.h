@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "tramline/planner/whole/dropped_tracks.h"
 #include "tramline/planner/whole/route_layouts.h"
 
 namespace tramline {
@@ -56,6 +57,9 @@ std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_
 /// The cheapest behind each of the few depths of headland that cost hardly more than the least price.
 /// Indices.
 std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double least_price);
+
+/// About what a plan would cost without these runs of its tracks, EUR. Precondition: it has its route.
+double expected_without(const std::vector<PieceRun>& runs, const ComparedPlan& plan);
 
 /// A plan, and about what it would cost without the tracks that are not worth their ways.
 struct Hopeful {
