@@ -164,12 +164,48 @@ Region symmetric_difference(const Region& a, const Region& b) {
   return overlay(a, b, GEOSSymDifferencePrec_r, "symmetric difference");
 }
 
-Region buffered(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
+namespace {
+
+Region buffered_by_geos(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
   const int style = join == JoinStyle::kRound ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE;
   return from_geos(
       checked(GEOSBufferWithStyle_r(geos(), to_geos(region).get(), distance_m, segments_per_quadrant,
                                     GEOSBUF_CAP_ROUND, style, kMitreLimit),
               "buffer"));
+}
+
+/// Of rings with up to so many vertices GEOS guesses whether they erode to nothing, and where some of their
+/// edges are short it guesses wrong now and then (BufferCurveSetBuilder::isRingCurveInverted, GEOS 3.11).
+constexpr std::size_t kMostGuessed = 8;
+
+/// The same ring with more vertices than GEOS guesses of.
+Ring with_edges_split(const Ring& ring) {
+  const std::size_t parts = kMostGuessed / ring.size() + 1;
+  Ring out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point from = ring[i], way = ring[(i + 1) % ring.size()] - from;
+    for (std::size_t k = 0; k < parts; ++k)
+      out.push_back(from + (static_cast<double>(k) / static_cast<double>(parts)) * way);
+  }
+  return out;
+}
+
+}  // namespace
+
+Region buffered(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
+  Region out = buffered_by_geos(region, distance_m, join, segments_per_quadrant);
+  if (distance_m >= 0) return out;
+  for (const Polygon& part : region) {
+    if (part.outer.size() < 3 || part.outer.size() > kMostGuessed) continue;
+    const bool vanished = region.size() == 1
+                              ? out.empty()
+                              : buffered_by_geos({part}, distance_m, join, segments_per_quadrant).empty();
+    if (!vanished) continue;
+    for (Polygon& left : buffered_by_geos({{with_edges_split(part.outer), part.holes}}, distance_m, join,
+                                          segments_per_quadrant))
+      out.push_back(std::move(left));
+  }
+  return out;
 }
 
 Region buffered_line(const std::vector<Point>& line, double distance_m) {
