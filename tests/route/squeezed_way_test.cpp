@@ -28,8 +28,17 @@ Field rooms() {
   return field;
 }
 
+// A room of 60 m by 60 m, and an arm 6.6 m wide east of it, behind 10 m that are 0.2 m narrower than the bar.
+Field room_with_an_arm() {
+  Field field;
+  field.id = "room with an arm";
+  field.outer = {{0, 0},      {60, 0},    {60, 27.1}, {70, 27.1}, {70, 26.7}, {110, 26.7},
+                 {110, 33.3}, {70, 33.3}, {70, 32.9}, {60, 32.9}, {60, 60},   {0, 60}};
+  return field;
+}
+
 struct Scene {
-  Field field = rooms();
+  Field field;
   Machine machine{};
   Region tracks{};
   AllowedLand land{Region{{field.outer, {}}}};
@@ -38,8 +47,9 @@ struct Scene {
   Connector connector;
   SteeredPath left = straight_on({20, 30.3}, 90, 20), entered = straight_on({116.7, 130}, 0, 20);
 
-  Scene(const std::function<Roadmap()>& lines, Machine drives)
-      : machine(std::move(drives)),
+  Scene(const std::function<Roadmap()>& lines, Machine drives, Field on = rooms())
+      : field(std::move(on)),
+        machine(std::move(drives)),
         ground(land, field, machine, tracks),
         roadmap(lines, ground),
         connector(ground, roadmap, {}) {}
@@ -79,6 +89,21 @@ TEST(SqueezedWays, LeaveTheLandInTheBendOfACorridorAlone) {
   EXPECT_LT(distance(way.path.front().start.at, end_of(scene.left).at), 1e-6);
   EXPECT_LT(distance(end_of(way.path).at, scene.entered.front().start.at), 1e-6);
   EXPECT_NEAR(way.time_s, idle_seconds(way.path, scene.machine.turning), 1e-9);
+}
+
+// No quarter turn has room in the arm: the machine can only come straight on, with at least 0.1 m of its bar
+// beyond the neck on either side, and more where it is not yet in line with it.
+TEST(SqueezedWays, LeadStraightIntoAnArm) {
+  const auto into_the_arm = [] { return Roadmap{{{straight_on({10, 30}, 90, 95)}}, 4}; };
+  Scene scene(into_the_arm, six_metres_wide(), room_with_an_arm());
+  const SteeredPath left = straight_on({50, 2}, 0, 6), entered = straight_on({80, 30}, 90, 20);
+  const Way straight = scene.connector.between(left, entered);
+  ASSERT_GT(straight.missing_m, 3) << "across the corner between room and arm";
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, into_the_arm);
+  const Way way = squeezed.along_the_land(straight, left, entered);
+  EXPECT_GE(way.missing_m, 0.1 - 0.002);
+  EXPECT_LT(way.missing_m, 1);
+  EXPECT_LT(distance(end_of(way.path).at, entered.front().start.at), 1e-6);
 }
 
 TEST(SqueezedWays, AreWhatTheyWereWhereNoLineLeadsThere) {

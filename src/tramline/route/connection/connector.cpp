@@ -237,9 +237,10 @@ std::optional<Connector::WayToOne> Connector::without_backing(const SteeredPath&
 std::optional<Way> Connector::without_backing(const SteeredPath& left, const SteeredPath& entered) const {
   assert(!left.empty() && !entered.empty());
   if (auto way = turn(left, entered)) return way;
-  auto found = without_backing(left, std::vector<SteeredPath>{entered});
-  if (!found) return std::nullopt;
-  return std::move(found->way);
+  // Arms of the land are entered straight on, where no quarter turn off the end of their work has room.
+  const WayEnd begin = straight_out(end_of(left)), end = straight_in(entered.front().start);
+  if (!has_room(begin) || !has_room(end)) return std::nullopt;
+  return searched({begin}, {end}, {kAnyCost_s, nullptr});
 }
 
 std::optional<Connector::WayToOne> Connector::without_or_with_backing(
