@@ -110,7 +110,17 @@ void KnownCosts::settle_start(order::End entered) {
 }
 
 void KnownCosts::settle_finish(order::End left) {
-  if (from_last_ && settled_finishes_.insert(left).second) at_finish_[left] = cost_of(from_last_(left));
+  if (!from_last_ || finish_has_room_.contains(left)) return;
+  const Way way = from_last_(left);
+  at_finish_[left] = cost_of(way);
+  finish_has_room_.emplace(left, way.has_room());
+}
+
+std::ptrdiff_t KnownCosts::ends_without_room(order::End entered, order::End left) const {
+  const auto first = ways_to_first_.find(entered);
+  const auto last = finish_has_room_.find(left);
+  return (first != ways_to_first_.end() && !first->second.has_room() ? 1 : 0) +
+         (last != finish_has_room_.end() && !last->second ? 1 : 0);
 }
 
 const Way& KnownCosts::way(order::End left, order::End entered) {

@@ -2,11 +2,11 @@
 // What ways between the ends of lines cost, as far as it is known.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -60,6 +60,8 @@ class KnownCosts final : public order::EndCosts {
   /// Looks for these, once for each end: what they cost is known from then on. Nothing where no way was set.
   void settle_start(order::End entered);
   void settle_finish(order::End left);
+  /// How many of the way to the first line and that from the last have no room, as far as they are settled.
+  std::ptrdiff_t ends_without_room(order::End entered, order::End left) const;
   /// Precondition: settled, and a way leads there.
   const Way& way_to_first(order::End entered) const { return ways_to_first_.at(entered); }
   void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
@@ -94,7 +96,7 @@ class KnownCosts final : public order::EndCosts {
   WayToFirst to_first_{};
   std::unordered_map<order::End, Way> ways_to_first_{};
   WayFromLast from_last_{};
-  std::unordered_set<order::End> settled_finishes_{};
+  std::unordered_map<order::End, bool> finish_has_room_{};  ///< of those settled
   mutable PairCosts between_;
 };
 

@@ -43,6 +43,12 @@ auto without_room(const std::vector<Way>& ways) {
   return std::ranges::count_if(ways, [](const Way& way) { return !way.has_room(); });
 }
 
+/// The same with the ways to the first line and from the last, once they are settled.
+std::ptrdiff_t without_room(const TrackTour& tour, const KnownCosts& costs) {
+  return without_room(tour.ways) +
+         costs.ends_without_room(tour.tour.front(), order::other_end(tour.tour.back()));
+}
+
 double at_ends(const Tour& tour, const KnownCosts& costs) {
   return costs.at_start(tour.front()) + costs.at_finish(order::other_end(tour.back()));
 }
@@ -55,7 +61,7 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
 /// land on which some way has none, how much is missing there decides nothing.
 Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
   const auto rank = [&](const Tour& tour) {
-    std::ptrdiff_t lacking = 0;
+    std::ptrdiff_t lacking = costs.ends_without_room(tour.front(), order::other_end(tour.back()));
     double ways_s = 0;
     for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
       const Way& way = costs.way(order::other_end(tour[i]), tour[i + 1]);
@@ -77,10 +83,10 @@ TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
   if (senses == Senses::kCostTheSame && at_ends(second, costs) < at_ends(first, costs))
     std::swap(first, second);
   TrackTour there = in_order(first, costs);
-  const auto lacking = without_room(there.ways);
+  const auto lacking = without_room(there, costs);
   if (senses == Senses::kCostTheSame && lacking == 0) return there;
   TrackTour back = in_order(second, costs);
-  const auto lacking_back = without_room(back.ways);
+  const auto lacking_back = without_room(back, costs);
   if (lacking != lacking_back) return lacking < lacking_back ? there : back;
   return whole_cost(there, costs) <= whole_cost(back, costs) ? there : back;
 }
@@ -105,7 +111,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
     }
     if (cost_s < least_s) {
       least_s = cost_s;
-      lacking = without_room(found.ways);
+      lacking = without_room(found, costs);
       idle = 0;
     } else if (++idle >= kPatience && lacking == 0 && shallow) {
       break;
