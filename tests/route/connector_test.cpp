@@ -145,5 +145,39 @@ TEST(Connector, TellsOfWaysWithoutRoomWhereTheImplementIsWhenItIsLowered) {
   EXPECT_NEAR(way.time_s, length(way.path) / on.machine.turning.turning_speed_mps, 1e-9);
 }
 
+double backed_at_first_m(const SteeredPath& path) {
+  double out = 0;
+  for (const SteeredStretch& stretch : path) {
+    if (stretch.gear == Gear::kForward) break;
+    out += stretch.length_m;
+  }
+  return out;
+}
+
+// A room of a hectare with an arm 13 m wide north of it. Half a turn takes 2·4 + 6 m, so the machine has to
+// back out of the arm: until it is 4 + 3 m south of its mouth, 64 m from the end of the work. The work begins
+// 6 m north of the mouth, from where the machine can only go into the arm again.
+TEST(Connector, BacksOutOfAnArmByTheWayThatItIsSupposedToHaveCome) {
+  const OnLand on({{{0, 0}, {100, 0}, {100, 100}, {53, 100}, {53, 160}, {40, 160}, {40, 100}, {0, 100}}, {}},
+                  six_metres_wide(4));
+  const SteeredPath work = northwards({46.5, 106}, 51), entered = southwards({20, 60}, 40);
+  EXPECT_FALSE(on.connector.between(work, entered).has_room());
+  const Way way = on.connector.between_as_come(work, entered);
+  ASSERT_TRUE(way.has_room() && way.backs_out && way.supposed);
+  EXPECT_TRUE(on.land.fits(way.path, on.ground.outline()));
+  EXPECT_GE(backed_at_first_m(way.path), 64 - 1e-6);
+  const Way known = on.connector.between(northwards({46.5, 80}, 77), entered);
+  ASSERT_TRUE(known.has_room() && known.backs_out && !known.supposed);
+  EXPECT_GE(backed_at_first_m(known.path), 64 - 1e-6);
+}
+
+TEST(Connector, SupposesNothingOfWaysThatHaveRoomWithout) {
+  const OnLand on({kHectare, {}}, six_metres_wide(4));
+  const SteeredPath left = northwards({40, 20}, 80), entered = southwards({52, 100}, 80);
+  const Way way = on.connector.between_as_come(left, entered);
+  EXPECT_FALSE(way.supposed);
+  EXPECT_EQ(way.cost_s, on.connector.between(left, entered).cost_s);
+}
+
 }  // namespace connector_test
 }  // namespace tramline

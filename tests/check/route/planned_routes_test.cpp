@@ -172,6 +172,29 @@ Field with_lane(double lane_m) {
                    {0, 90}});
 }
 
+// 12 m wide and turning in 8 m, the machine takes 28 m to turn round, and the arms are 25 m wide.
+TEST(PlannedRoutes, lead_out_of_two_arms_by_the_way_in) {
+  const Field field = field_of({{0, 0},
+                                {60, 0},
+                                {60, -60},
+                                {85, -60},
+                                {85, 0},
+                                {150, 0},
+                                {150, 120},
+                                {85, 120},
+                                {85, 190},
+                                {60, 190},
+                                {60, 120},
+                                {0, 120}});
+  for (const int headlands : {1, 2}) {
+    SCOPED_TRACE(headlands);
+    const Plan plan = expect_route_holds(field, machine(12, 8), whole_route(headlands));
+    EXPECT_TRUE(std::ranges::all_of(plan.route.legs, [](const RouteLeg& leg) { return leg.missing_m == 0; }));
+    EXPECT_TRUE(std::ranges::any_of(plan.route.legs,
+                                    [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; }));
+  }
+}
+
 TEST(PlannedRoutes, hold_on_land_in_two_parts) {
   PlanSettings settings = whole_route(2);
   settings.boundary = EdgeKind::kHard;

@@ -110,25 +110,20 @@ void KnownCosts::settle_start(order::End entered) {
 }
 
 void KnownCosts::settle_finish(order::End left) {
-  if (!from_last_ || finish_has_room_.contains(left)) return;
-  const Way way = from_last_(left);
-  at_finish_[left] = cost_of(way);
-  finish_has_room_.emplace(left, way.has_room());
+  if (from_last_ && settled_finishes_.insert(left).second) at_finish_[left] = cost_of(from_last_(left));
 }
 
-std::ptrdiff_t KnownCosts::ends_without_room(order::End entered, order::End left) const {
+bool KnownCosts::starts_with_room(order::End entered) const {
   const auto first = ways_to_first_.find(entered);
-  const auto last = finish_has_room_.find(left);
-  return (first != ways_to_first_.end() && !first->second.has_room() ? 1 : 0) +
-         (last != finish_has_room_.end() && !last->second ? 1 : 0);
+  return first == ways_to_first_.end() || first->second.has_room();
 }
 
 const Way& KnownCosts::way(order::End left, order::End entered) {
   assert(order::line_of(left) != order::line_of(entered));
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return found->second;
-  Way way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
-                               lines_[order::line_of(entered)].entered_by(entered).first);
+  Way way = connector_.between_as_come(lines_[order::line_of(left)].left_by(left).last,
+                                       lines_[order::line_of(entered)].entered_by(entered).first);
   const auto ends_are_dead = [&] { return std::pair(is_dead(left), is_dead(entered)); };
   const auto before = ends_are_dead();
   learn(left, entered, way);
@@ -139,6 +134,14 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   else
     between_.change(left, entered, both_ways(left, entered));
   return out;
+}
+
+void KnownCosts::refuse_supposed(order::End left, order::End entered) {
+  Way& way = ways_.at(key(left, entered));
+  assert(way.supposed);
+  way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
+                           lines_[order::line_of(entered)].entered_by(entered).first);
+  between_.change(left, entered, both_ways(left, entered));
 }
 
 void KnownCosts::expect_more() {

@@ -2,11 +2,11 @@
 // What ways between the ends of lines cost, as far as it is known.
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -40,6 +40,10 @@ class KnownCosts final : public order::EndCosts {
   /// lines.
   const Way& way(order::End left, order::End entered);
 
+  /// The way that was found supposes a way before the first line by which the machine does not come there: it
+  /// has no room. Precondition: it was looked for, and is Way::supposed.
+  void refuse_supposed(order::End left, order::End entered);
+
   /// From now on a way that was not looked for is expected to cost more where others from its two ends have
   /// been found: a share of what the best of those cost more than at least. Where headlands are shallow for
   /// one way, they are for others; where they are not, only lower bounds lead to the quickest order.
@@ -60,8 +64,9 @@ class KnownCosts final : public order::EndCosts {
   /// Looks for these, once for each end: what they cost is known from then on. Nothing where no way was set.
   void settle_start(order::End entered);
   void settle_finish(order::End left);
-  /// How many of the way to the first line and that from the last have no room, as far as they are settled.
-  std::ptrdiff_t ends_without_room(order::End entered, order::End left) const;
+  /// Whether the way to the first line has room, as far as it is settled. (That from the last line may have
+  /// it all the same by the way on which the machine comes to that line.)
+  bool starts_with_room(order::End entered) const;
   /// Precondition: settled, and a way leads there.
   const Way& way_to_first(order::End entered) const { return ways_to_first_.at(entered); }
   void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
@@ -96,7 +101,7 @@ class KnownCosts final : public order::EndCosts {
   WayToFirst to_first_{};
   std::unordered_map<order::End, Way> ways_to_first_{};
   WayFromLast from_last_{};
-  std::unordered_map<order::End, bool> finish_has_room_{};  ///< of those settled
+  std::unordered_set<order::End> settled_finishes_{};
   mutable PairCosts between_;
 };
 

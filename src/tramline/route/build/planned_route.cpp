@@ -22,6 +22,9 @@ namespace {
 constexpr double kRoadmapSpacing_radii = 0.75;
 constexpr double kLeastSpacing_m = 2;
 
+/// So often a tour is looked for anew where the machine does not come to its lines as supposed.
+constexpr int kMostRefusals = 12;
+
 std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   std::vector<TrackPiece> out;
   for (const order::WorkedLine& line : lines) out.insert(out.end(), line.begin(), line.end());
@@ -130,12 +133,46 @@ class RoutePlanner {
     return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
   }
 
-  /// The way that was found between two works, or where that has no room one that backs along the way that
-  /// led to the first, which was not known before.
+  /// The way that was found between two works, or where that has no room or supposes how the first was come
+  /// to one that backs along the way that led there, which was not known before.
   Way way_on(const Way& found, const SteeredPath& entered) const {
-    if (found.has_room()) return found;
+    if (found.has_room() && !found.supposed) return found;
     Way other = connector_.between(left_, entered);
-    return other.has_room() ? other : found;
+    return other.has_room() || found.supposed ? other : found;
+  }
+
+  /// Ways of a tour that suppose another way before them than the machine takes to the line, and have no room
+  /// without: from one end, to another.
+  std::vector<std::pair<order::End, order::End>> supposed_in_vain(const TrackTour& tour,
+                                                                  const std::vector<RouteLine>& lines,
+                                                                  const KnownCosts& costs) const {
+    std::vector<std::pair<order::End, order::End>> out;
+    if (std::ranges::none_of(tour.ways, &Way::supposed)) return out;
+    SteeredPath left = left_;
+    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
+      const order::End entered = tour.tour[i];
+      const DrivenSense& sense = lines[order::line_of(entered)].entered_by(entered);
+      const Way& way = i > 0 ? tour.ways[i - 1] : way_to_first(entered, sense.first, costs);
+      if (way.supposed && !connector_.between(left, sense.first).has_room())
+        out.emplace_back(order::other_end(tour.tour[i - 1]), entered);
+      left = driven_forward(left, way, sense.first);
+      if (end_of(sense.first).at != end_of(sense.last).at) left = sense.last;
+    }
+    return out;
+  }
+
+  /// The best tour of which the ways have room as the machine comes to each line, where one is found.
+  TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, const std::vector<RouteLine>& lines,
+                                KnownCosts& costs) const {
+    const Senses senses = senses_of(task_.machine);
+    TrackTour out = best_tour_with_ways(given, senses, costs);
+    for (int i = 0; i < kMostRefusals; ++i) {
+      const auto in_vain = supposed_in_vain(out, lines, costs);
+      if (in_vain.empty()) break;
+      for (const auto& [left, entered] : in_vain) costs.refuse_supposed(left, entered);
+      out = best_tour_with_ways(given, senses, costs);
+    }
+    return out;
   }
 
   /// Goes a way to a work and over it.
@@ -201,7 +238,7 @@ class RoutePlanner {
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
     set_finishes(lines, next, costs);
-    const TrackTour tour = best_tour_with_ways({as_given}, senses_of(task_.machine), costs);
+    const TrackTour tour = best_tour_as_driven({as_given}, lines, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
@@ -219,7 +256,10 @@ class RoutePlanner {
     if (!passes.empty())
       costs.set_way_from_last([this, &lines, passes](order::End end) {
         const SteeredPath& left = lines[order::line_of(end)].left_by(end).last;
-        return nearest_pass(pass_task(passes), left).before;
+        const Way way = nearest_pass(pass_task(passes), left).before;
+        if (way.has_room()) return way;
+        const Way supposed = nearest_pass(pass_task(passes), connector_.come_straight_on(left)).before;
+        return supposed.has_room() ? supposed : way;
       });
     std::vector<Pose> entered;
     std::vector<Point> places;
@@ -265,9 +305,8 @@ class RoutePlanner {
     set_starts(lines, costs);
     set_finishes(lines, next, costs);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
-    const Senses senses = senses_of(task_.machine);
-    const TrackTour tour =
-        best ? best_tour_with_ways(tours, senses, costs) : with_ways(tours.front(), senses, costs);
+    const TrackTour tour = best ? best_tour_as_driven(tours, lines, costs)
+                                : with_ways(tours.front(), senses_of(task_.machine), costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const std::size_t line = on_part[order::line_of(entered)];

@@ -12,7 +12,7 @@ namespace {
 
 /// Ways along the best tour are looked for so often, and some more times as long as some of them lack room.
 /// Where they have to be searched for they take long: there so many tours that are no better are enough.
-constexpr int kMostRounds = 10, kMostForRoom = 16, kPatience = 5;
+constexpr int kMostRounds = 10, kMostForRoom = 48, kPatience = 5;
 /// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
 constexpr double kFarMore = 1.3;
 /// What was foreseen of a tour is near enough, as a share of it; and tours that are foreseen to cost less by
@@ -43,10 +43,9 @@ auto without_room(const std::vector<Way>& ways) {
   return std::ranges::count_if(ways, [](const Way& way) { return !way.has_room(); });
 }
 
-/// The same with the ways to the first line and from the last, once they are settled.
+/// The same with the way to the first line.
 std::ptrdiff_t without_room(const TrackTour& tour, const KnownCosts& costs) {
-  return without_room(tour.ways) +
-         costs.ends_without_room(tour.tour.front(), order::other_end(tour.tour.back()));
+  return without_room(tour.ways) + (costs.starts_with_room(tour.tour.front()) ? 0 : 1);
 }
 
 double at_ends(const Tour& tour, const KnownCosts& costs) {
@@ -61,7 +60,7 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
 /// land on which some way has none, how much is missing there decides nothing.
 Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
   const auto rank = [&](const Tour& tour) {
-    std::ptrdiff_t lacking = costs.ends_without_room(tour.front(), order::other_end(tour.back()));
+    std::ptrdiff_t lacking = costs.starts_with_room(tour.front()) ? 0 : 1;
     double ways_s = 0;
     for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
       const Way& way = costs.way(order::other_end(tour[i]), tour[i + 1]);

@@ -23,6 +23,8 @@ constexpr double kFarBackStep = 2.0, kFarthestBack = 60.0;
 /// and so many of them at the most.
 constexpr double kStepBetween_m = 0.5;
 constexpr double kMostBetween = 12;
+/// The machine is supposed to have come straight on by so many steps.
+constexpr double kComeStraightOn = 4;
 /// At a gate the machine may point anywhere; so many headings are tried.
 constexpr int kGateHeadings = 16;
 
@@ -191,6 +193,21 @@ Way Connector::between(const SteeredPath& left, const SteeredPath& entered) cons
   assert(!left.empty() && !entered.empty());
   if (auto way = turn(left, entered)) return std::move(*way);
   return to_any(left, {entered}).way;
+}
+
+SteeredPath Connector::come_straight_on(const SteeredPath& left) const {
+  assert(!left.empty());
+  const double before_m = kComeStraightOn * step_back_m(ground_.machine());
+  return joined(straight(moved_on(left.front().start, -before_m), before_m), left, {});
+}
+
+Way Connector::between_as_come(const SteeredPath& left, const SteeredPath& entered) const {
+  Way way = between(left, entered);
+  if (way.has_room() || ground_.outline().tows()) return way;
+  std::optional<WayToOne> supposed = without_or_with_backing(come_straight_on(left), {entered});
+  if (!supposed || !supposed->way.backs_out) return way;
+  supposed->way.supposed = true;
+  return std::move(supposed->way);
 }
 
 std::optional<Way> Connector::direct(const Pose& left, const Pose& entered) const {

@@ -34,6 +34,14 @@ class Connector {
   /// The same without backing, where that has room.
   std::optional<Way> without_backing(const SteeredPath& left, const SteeredPath& entered) const;
 
+  /// `left`, come straight on to by a few radii: what the machine may back along where it is not known yet
+  /// how it came.
+  SteeredPath come_straight_on(const SteeredPath& left) const;
+
+  /// between(), or where that has no room the way that backs out along come_straight_on(): out of an arm in
+  /// which the machine cannot turn round, by the way it came in.
+  Way between_as_come(const SteeredPath& left, const SteeredPath& entered) const;
+
   /// The quickest way between poses without detours or reversing, where one has room: a shortest Dubins word
   /// that leads forward, between the straight lines on which the implement is lifted and lowered.
   std::optional<Way> direct(const Pose& left, const Pose& entered) const;

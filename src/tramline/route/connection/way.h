@@ -13,6 +13,7 @@ struct Way {
   SteeredPath path{};
   bool backs_out = false;      ///< begins in reverse along what was worked
   bool backs_in = false;       ///< ends in reverse along what is to be worked
+  bool supposed = false;       ///< backs out along a way before the work that is not known yet
   double time_s = 0;           ///< lengths by their speeds, and changes of gear
   double cost_s = 0;           ///< time, and what driving over crop counts more
   double missing_m = 0;        ///< how far the outline leaves the land; 0: it has room
