@@ -58,6 +58,16 @@ std::vector<CentreLine> centre_lines_of(const OffsetRun& run, double radius_m, d
   return out;
 }
 
+/// An open path whose ends meet at an angle ends a little earlier: taken for a closed one it would be joined
+/// there, with a kink.
+Path not_closed(Path path) {
+  constexpr double kEarlier_m = 0.01;
+  if (path.empty() || distance(path.front().from, path.back().to) > kSamePlace_m) return path;
+  const double meet = dot(direction_at_end(path.back()), direction_at_start(path.front()));
+  if (meet > 1 - kSamePlace_m) return path;
+  return stretch_of(path, 0, length(path) - kEarlier_m);
+}
+
 /// The lines beside the chain that the machine can follow.
 std::vector<Path> paths_beside(const TurningRoom& room, const EdgeChain& chain, double width_m) {
   const ArcFits fits = [&](Point centre, Point before, Point after) {
@@ -71,7 +81,8 @@ std::vector<Path> paths_beside(const TurningRoom& room, const EdgeChain& chain, 
     const RollingCirclePaths ways = rolling_circle_paths(centre_lines, 0, fits, most_skipped_m);
     if (ways.closed) out.push_back(closed_path(*ways.closed, room.radius_m));
     for (const OffsetRing& way : ways.open)
-      if (way.front().offset_boundary != kNoBoundary) out.push_back(open_path(way, room.radius_m));
+      if (way.front().offset_boundary != kNoBoundary)
+        out.push_back(not_closed(open_path(way, room.radius_m)));
   }
   std::erase_if(out, [](const Path& path) { return path.empty(); });
   return out;
@@ -190,15 +201,6 @@ Path driven_on_over_fresh_land(const Path& path, const std::vector<SwathLimit>& 
   return Extended(farther, length(path), to_work, before).as_far_as_it_pays();
 }
 
-/// An open path whose ends meet at an angle ends a little earlier: as a closed one it would have a kink.
-Path not_closed(Path path) {
-  constexpr double kEarlier_m = 0.01;
-  if (path.empty() || distance(path.front().from, path.back().to) > kSamePlace_m) return path;
-  const double meet = dot(direction_at_end(path.back()), direction_at_start(path.front()));
-  if (meet > 1 - kSamePlace_m) return path;
-  return stretch_of(path, 0, length(path) - kEarlier_m);
-}
-
 /// The same at both ends; where they would cross, the first one ends at the second. Empty where nothing is
 /// left.
 Path driven_straight_on(const Path& path, const ChainScene& scene, const GroundToWork& to_work,
@@ -278,7 +280,7 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
                    [](const Path& a, const Path& b) { return length(a) > length(b); });
   for (const Path& stretch : stretches)
     for (const Path& part :
-         worthy_parts(driven_straight_on(stretch, scene, to_work, all), scene, to_work, all))
+         worthy_parts(not_closed(driven_straight_on(stretch, scene, to_work, all)), scene, to_work, all))
       for (const Path& piece : parted_where_it_meets_itself(part))
         if (length(piece) >= scene.least_length_m() && is_beside_chain(piece, stretch))
           all.push_back(pass_beside(not_closed(piece), scene));
