@@ -133,8 +133,8 @@ class RoutePlanner {
     return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
   }
 
-  /// The way that was found between two works, or where that has no room or supposes how the first was come
-  /// to one that backs along the way that led there, which was not known before.
+  /// The way that was found between two works. Where that has no room, or supposes a way to the first of
+  /// them, one that backs along the way that led there in fact, which was not known before.
   Way way_on(const Way& found, const SteeredPath& entered) const {
     if (found.has_room() && !found.supposed) return found;
     Way other = connector_.between(left_, entered);

@@ -10,8 +10,9 @@
 namespace tramline {
 namespace {
 
-/// Ways along the best tour are looked for so often, and some more times as long as some of them lack room.
-/// Where they have to be searched for they take long: there so many tours that are no better are enough.
+/// Ways along the best tour are looked for so often, and many more times as long as some of them lack room:
+/// of a dozen lines in narrow land few orders have it. Where ways have to be searched for they take long:
+/// there so many tours that are no better are enough.
 constexpr int kMostRounds = 10, kMostForRoom = 48, kPatience = 5;
 /// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
 constexpr double kFarMore = 1.3;
