@@ -9,58 +9,19 @@
 #include <numbers>
 #include <utility>
 
-#include "tramline/route/build/lines_beside_boundaries.h"
+#include "route/driven_land.h"
 
 namespace tramline {
 namespace connector_test {
 
-Field field_of(Ring outer) {
-  Field out;
-  out.outer = std::move(outer);
-  return out;
-}
-
-/// Land on which a machine follows the lines beside its boundary.
-struct OnLand {
-  OnLand(Polygon shape, Machine drives)
-      : region{std::move(shape)},
-        field(field_of(region.front().outer)),
-        machine(std::move(drives)),
-        land(region),
-        ground(land, field, machine, region),
-        roadmap([this] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground),
-        connector(ground, roadmap, {}) {}
-
-  Region region;
-  Field field;
-  Machine machine;
-  AllowedLand land;
-  DrivingGround ground;
-  RoadmapOnDemand roadmap;
-  Connector connector;
-};
-
-/// A work, from a place to the north or to the south.
-SteeredPath northwards(Point from, double length_m) {
-  return {arc_from({from, Heading::from_to({0, 0}, {0, 1})}, length_m, 0, Gear::kForward)};
-}
-SteeredPath southwards(Point from, double length_m) {
-  return {arc_from({from, Heading::from_to({0, 1}, {0, 0})}, length_m, 0, Gear::kForward)};
-}
+using testing::DrivenLand, testing::northwards, testing::six_metres_wide, testing::southwards;
 
 const Ring kHectare{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-
-Machine six_metres_wide(double radius_m) {
-  Machine out;
-  out.width_m = 6;
-  out.radius_m = radius_m;
-  return out;
-}
 
 // At the edge of a rectangle a machine has to be r + w/2 from it to turn aside: with these 7 m. Ways are
 // found that back by so many half radii, 8 m here; what lies between needs no farther.
 TEST(Connector, BacksNoFartherThanItTakesToTurn) {
-  const OnLand on({kHectare, {}}, six_metres_wide(4));
+  const DrivenLand on({kHectare, {}}, six_metres_wide(4));
   const SteeredPath left = northwards({40, 20}, 80), entered = southwards({52, 100}, 80);
   const Way way = on.connector.between(left, entered);
   ASSERT_TRUE(way.has_room() && way.backs_out && way.backs_in);
@@ -85,7 +46,7 @@ Ring post_at(double south_m) {
 TEST(Connector, BacksOutWhereSomethingStandsStraightAhead) {
   Machine machine = six_metres_wide(4);
   machine.turning.lift_m = 1;
-  const OnLand on({kHectare, {post_at(50.2)}}, machine);
+  const DrivenLand on({kHectare, {post_at(50.2)}}, machine);
   const Way way = on.connector.between(northwards({40, 20}, 30), southwards({60, 50}, 30));
   EXPECT_TRUE(way.has_room() && way.backs_out && !way.backs_in);
   EXPECT_TRUE(on.land.fits(way.path, on.ground.outline()));
@@ -95,7 +56,7 @@ TEST(Connector, BacksOutWhereSomethingStandsStraightAhead) {
 TEST(Connector, BacksInWhereSomethingStandsStraightBefore) {
   Machine machine = six_metres_wide(4);
   machine.turning.lower_m = 1;
-  const OnLand on({kHectare, {post_at(50.2)}}, machine);
+  const DrivenLand on({kHectare, {post_at(50.2)}}, machine);
   const Way way = on.connector.between(northwards({60, 20}, 30), southwards({40, 50}, 30));
   EXPECT_TRUE(way.has_room() && way.backs_in && !way.backs_out);
   EXPECT_TRUE(on.land.fits(way.path, on.ground.outline()));
@@ -132,7 +93,7 @@ double beside_m(double straight_m) {
 // On land four metres wide. Half a circle bends the drawbar by more than a right angle, so that the implement
 // is farther beside the line behind the straight on which it is lowered than before.
 TEST(Connector, TellsOfWaysWithoutRoomWhereTheImplementIsWhenItIsLowered) {
-  const OnLand on({{{-3, 0}, {1, 0}, {1, 80}, {-3, 80}}, {}}, towing());
+  const DrivenLand on({{{-3, 0}, {1, 0}, {1, 80}, {-3, 80}}, {}}, towing());
   // The circle begins where the implement is lifted, and ends where it is still to be lowered.
   const SteeredPath left = northwards({0, 20}, 30),
                     entered = southwards({-2 * kTight_m, 50 + kLift_m - kLower_m}, 30);
@@ -158,8 +119,7 @@ double backed_at_first_m(const SteeredPath& path) {
 // back out of the arm: until it is 4 + 3 m south of its mouth, 64 m from the end of the work. The work begins
 // 6 m north of the mouth, from where the machine can only go into the arm again.
 TEST(Connector, BacksOutOfAnArmByTheWayThatItIsSupposedToHaveCome) {
-  const OnLand on({{{0, 0}, {100, 0}, {100, 100}, {53, 100}, {53, 160}, {40, 160}, {40, 100}, {0, 100}}, {}},
-                  six_metres_wide(4));
+  const DrivenLand on(testing::room_with_an_arm(), six_metres_wide(4));
   const SteeredPath work = northwards({46.5, 106}, 51), entered = southwards({20, 60}, 40);
   EXPECT_FALSE(on.connector.between(work, entered).has_room());
   const Way way = on.connector.between_as_come(work, entered);
@@ -172,7 +132,7 @@ TEST(Connector, BacksOutOfAnArmByTheWayThatItIsSupposedToHaveCome) {
 }
 
 TEST(Connector, SupposesNothingOfWaysThatHaveRoomWithout) {
-  const OnLand on({kHectare, {}}, six_metres_wide(4));
+  const DrivenLand on({kHectare, {}}, six_metres_wide(4));
   const SteeredPath left = northwards({40, 20}, 80), entered = southwards({52, 100}, 80);
   const Way way = on.connector.between_as_come(left, entered);
   EXPECT_FALSE(way.supposed);

@@ -8,7 +8,7 @@
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/leg_list.h"
-#include "tramline/route/build/track_tour.h"
+#include "tramline/route/build/tour_as_driven.h"
 #include "tramline/route/build/work_by_part.h"
 #include "tramline/route/connection/squeezed_way.h"
 #include "tramline/route/order/point_grid.h"
@@ -21,9 +21,6 @@ namespace {
 /// Poses of the roadmap are so far apart, as a share of the radius, and at least kLeastSpacing_m.
 constexpr double kRoadmapSpacing_radii = 0.75;
 constexpr double kLeastSpacing_m = 2;
-
-/// So often a tour is looked for anew where the machine does not come to its lines as supposed.
-constexpr int kMostRefusals = 12;
 
 std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   std::vector<TrackPiece> out;
@@ -133,46 +130,9 @@ class RoutePlanner {
     return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
   }
 
-  /// The way that was found between two works. Where that has no room, or supposes a way to the first of
-  /// them, one that backs along the way that led there in fact, which was not known before.
-  Way way_on(const Way& found, const SteeredPath& entered) const {
-    if (found.has_room() && !found.supposed) return found;
-    Way other = connector_.between(left_, entered);
-    return other.has_room() || found.supposed ? other : found;
-  }
-
-  /// Ways of a tour that suppose another way before them than the machine takes to the line, and have no room
-  /// without: from one end, to another.
-  std::vector<std::pair<order::End, order::End>> supposed_in_vain(const TrackTour& tour,
-                                                                  const std::vector<RouteLine>& lines,
-                                                                  const KnownCosts& costs) const {
-    std::vector<std::pair<order::End, order::End>> out;
-    if (std::ranges::none_of(tour.ways, &Way::supposed)) return out;
-    SteeredPath left = left_;
-    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
-      const order::End entered = tour.tour[i];
-      const DrivenSense& sense = lines[order::line_of(entered)].entered_by(entered);
-      const Way& way = i > 0 ? tour.ways[i - 1] : way_to_first(entered, sense.first, costs);
-      if (way.supposed && !connector_.between(left, sense.first).has_room())
-        out.emplace_back(order::other_end(tour.tour[i - 1]), entered);
-      left = driven_forward(left, way, sense.first);
-      if (end_of(sense.first).at != end_of(sense.last).at) left = sense.last;
-    }
-    return out;
-  }
-
-  /// The best tour of which the ways have room as the machine comes to each line, where one is found.
-  TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, const std::vector<RouteLine>& lines,
-                                KnownCosts& costs) const {
-    const Senses senses = senses_of(task_.machine);
-    TrackTour out = best_tour_with_ways(given, senses, costs);
-    for (int i = 0; i < kMostRefusals; ++i) {
-      const auto in_vain = supposed_in_vain(out, lines, costs);
-      if (in_vain.empty()) break;
-      for (const auto& [left, entered] : in_vain) costs.refuse_supposed(left, entered);
-      out = best_tour_with_ways(given, senses, costs);
-    }
-    return out;
+  BeforeLines before_lines(const KnownCosts& costs) const {
+    return {left_,
+            [&](order::End entered, const SteeredPath& axle) { return way_to_first(entered, axle, costs); }};
   }
 
   /// Goes a way to a work and over it.
@@ -238,11 +198,13 @@ class RoutePlanner {
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
     set_finishes(lines, next, costs);
-    const TrackTour tour = best_tour_as_driven({as_given}, lines, costs);
+    const TrackTour tour = best_tour_as_driven({as_given}, senses_of(task_.machine), lines,
+                                               before_lines(costs), connector_, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
-      go(i > 0 ? way_on(tour.ways[i - 1], axle) : way_to_first(entered, axle, costs), axle);
+      go(i > 0 ? way_on(tour.ways[i - 1], left_, axle, connector_) : way_to_first(entered, axle, costs),
+         axle);
       const std::size_t pass = passes[order::line_of(entered)];
       const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
       legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
@@ -304,14 +266,17 @@ class RoutePlanner {
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
     set_finishes(lines, next, costs);
+    const Senses senses = senses_of(task_.machine);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
-    const TrackTour tour = best ? best_tour_as_driven(tours, lines, costs)
-                                : with_ways(tours.front(), senses_of(task_.machine), costs);
+    const TrackTour tour =
+        best ? best_tour_as_driven(tours, senses, lines, before_lines(costs), connector_, costs)
+             : with_ways(tours.front(), senses, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const std::size_t line = on_part[order::line_of(entered)];
       const DrivenSense& sense = route_lines_[line].entered_by(entered);
-      go(i > 0 ? way_on(tour.ways[i - 1], sense.first) : way_to_first(entered, sense.first, costs),
+      go(i > 0 ? way_on(tour.ways[i - 1], left_, sense.first, connector_)
+               : way_to_first(entered, sense.first, costs),
          sense.first);
       const order::WorkedLine& worked = lines_[line];
       legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece_);

@@ -11,7 +11,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
-#include "route/backing_scenes.h"
+#include "route/backing/backing_scenes.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/connection/least_seconds.h"
 #include "tramline/route/connection/way.h"

@@ -7,7 +7,7 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
-#include "route/backing_scenes.h"
+#include "route/backing/backing_scenes.h"
 #include "route/rounded_rectangle.h"
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/backing/least_backing.h"

@@ -1,4 +1,4 @@
-#include "route/backing_scenes.h"
+#include "route/backing/backing_scenes.h"
 
 #include "properties/draws.h"
 #include "tramline/route/axle/axle_path.h"
