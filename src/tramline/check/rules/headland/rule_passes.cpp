@@ -29,7 +29,7 @@ SwathClearance end_clearance(const Path& path, double half_width_m) {
 /// ends, so its last metres there are swaths of their own. Precondition: the pass has no fault
 /// (check_headland).
 std::vector<SwathClearance> pass_clearances(const HeadlandPass& pass, double width_m) {
-  assert(fault_of(pass.path).empty());
+  assert(check::fault_of(pass.path).empty());
   const Path& path = pass.path;
   const double half_m = 0.5 * width_m;
   const auto as_a_whole = [&](const Path& part) {
