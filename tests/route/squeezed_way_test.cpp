@@ -47,11 +47,11 @@ struct Scene {
   Connector connector;
   SteeredPath left = straight_on({20, 30.3}, 90, 20), entered = straight_on({116.7, 130}, 0, 20);
 
-  Scene(const std::function<Roadmap()>& lines, Machine drives, Field on = rooms())
+  Scene(const RoadmapFor& lines, Machine drives, Field on = rooms())
       : field(std::move(on)),
         machine(std::move(drives)),
         ground(land, field, machine, tracks),
-        roadmap(lines, ground),
+        roadmap([this, lines] { return lines(ground); }, ground),
         connector(ground, roadmap, {}) {}
 };
 
@@ -62,10 +62,10 @@ Machine six_metres_wide() {
   return out;
 }
 
-Roadmap no_lines() { return {{}, 4}; }
+Roadmap no_lines(const DrivingGround&) { return {{}, 4}; }
 
 /// A line along the middle of the corridor, from the one room into the other.
-Roadmap through_the_corridor() {
+Roadmap through_the_corridor(const DrivingGround&) {
   SteeredPath line = straight_on({45, 30.3}, 90, 116.7 - kRadius_m - 45);
   line.push_back(arc_from(end_of(line), 0.5 * std::numbers::pi * kRadius_m, 1 / kRadius_m, Gear::kForward));
   line.push_back(arc_from(end_of(line), 130 - 30.3 - kRadius_m, 0, Gear::kForward));
@@ -94,7 +94,9 @@ TEST(SqueezedWays, LeaveTheLandInTheBendOfACorridorAlone) {
 // No quarter turn has room in the arm: the machine can only come straight on, with at least 0.1 m of its bar
 // beyond the neck on either side, and more where it is not yet in line with it.
 TEST(SqueezedWays, LeadStraightIntoAnArm) {
-  const auto into_the_arm = [] { return Roadmap{{{straight_on({10, 30}, 90, 95)}}, 4}; };
+  const auto into_the_arm = [](const DrivingGround&) {
+    return Roadmap{{{straight_on({10, 30}, 90, 95)}}, 4};
+  };
   Scene scene(into_the_arm, six_metres_wide(), room_with_an_arm());
   const SteeredPath left = straight_on({50, 2}, 0, 6), entered = straight_on({80, 30}, 90, 20);
   const Way straight = scene.connector.between(left, entered);

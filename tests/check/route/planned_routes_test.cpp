@@ -195,6 +195,30 @@ TEST(PlannedRoutes, lead_out_of_two_arms_by_the_way_in) {
   }
 }
 
+// Two rooms, and between them a bent corridor 4.5 m wide in which the machine, 6 m wide, works nothing: 0.75
+// m of it stick out on either side, and more in the bend. Straight on to the other room it would be 30 m.
+TEST(PlannedRoutes, lead_through_a_corridor_that_is_too_narrow_to_work) {
+  const Field field = field_of({{0, 0},
+                                {60, 0},
+                                {60, 27},
+                                {120, 27},
+                                {120, 120},
+                                {150, 120},
+                                {150, 180},
+                                {90, 180},
+                                {90, 120},
+                                {115.5, 120},
+                                {115.5, 31.5},
+                                {60, 31.5},
+                                {60, 60},
+                                {0, 60}});
+  const Plan plan = expect_route_holds(field, machine(6, 6), whole_route(2));
+  double missing_m = 0;
+  for (const RouteLeg& leg : plan.route.legs) missing_m = std::max(missing_m, leg.missing_m);
+  EXPECT_GE(missing_m, 0.75);
+  EXPECT_LT(missing_m, 3);
+}
+
 TEST(PlannedRoutes, hold_on_land_in_two_parts) {
   PlanSettings settings = whole_route(2);
   settings.boundary = EdgeKind::kHard;

@@ -1,6 +1,7 @@
 #pragma once
 // Lines along which a machine may drive beside boundaries that have no headland pass.
 
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -23,11 +24,16 @@ class LinesBesideBoundaries {
   /// Precondition: field, machine, and the boundaries that have passes are those of the first call.
   const std::vector<FollowedLine>& found(const Headland& headland, const Field& field,
                                          const DrivingGround& ground) const;
+  /// Those round all boundaries, passes or not, for a machine that is narrower than in fact. Precondition:
+  /// machines of one width differ in nothing.
+  const std::vector<FollowedLine>& round_all(const Field& field, const DrivingGround& narrowed) const;
 
  private:
   mutable std::once_flag once_{};
   mutable HeadlandTerms terms_{};  ///< of passes along them
   mutable std::vector<FollowedLine> lines_{};
+  mutable std::mutex narrowed_taken_{};
+  mutable std::map<double, std::vector<FollowedLine>> by_width_m_{};  ///< of narrowed machines
 };
 
 }  // namespace tramline

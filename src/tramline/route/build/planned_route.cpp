@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "tramline/model/rate_values.h"
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/leg_list.h"
+#include "tramline/route/build/lines_through_narrows.h"
 #include "tramline/route/build/tour_as_driven.h"
 #include "tramline/route/build/work_by_part.h"
 #include "tramline/route/connection/squeezed_way.h"
@@ -63,7 +65,8 @@ class RoutePlanner {
         ground_(task.turning_land, task.field, task.machine, task.body),
         roadmap_([this] { return roadmap(); }, ground_),
         connector_(ground_, roadmap_, {task.settings.towing_error_m, counted_stop_s(task)}),
-        squeezed_(connector_, task.field, task.body, [this] { return roadmap(); }),
+        squeezed_(connector_, task.field, task.body,
+                  [this](const DrivingGround& narrowed) { return roadmap_for(narrowed); }),
         least_(task.machine),
         entries_(entries_by_pass(task.headland, task.machine)),
         legs_(task.field, turning_) {
@@ -112,10 +115,23 @@ class RoutePlanner {
       if (leg.work) leg.missing_m = ground_.lacking_along_m(leg.path);
   }
 
-  Roadmap roadmap() const {
-    const double spacing_m = std::max(kLeastSpacing_m, kRoadmapSpacing_radii * ground_.machine().radius_m);
+  double roadmap_spacing_m() const {
+    return std::max(kLeastSpacing_m, kRoadmapSpacing_radii * ground_.machine().radius_m);
+  }
+
+  std::vector<FollowedLine> lines_to_follow() const {
     const auto& beside = task_.beside_boundaries.found(task_.headland, task_.field, ground_);
-    return {followed_lines(task_.headland, pieces_of(lines_), beside, task_.machine), spacing_m};
+    return followed_lines(task_.headland, pieces_of(lines_), beside, task_.machine);
+  }
+
+  Roadmap roadmap() const { return {lines_to_follow(), roadmap_spacing_m()}; }
+
+  /// With lines through narrows, in which the machine itself has no room.
+  Roadmap roadmap_for(const DrivingGround& narrowed) const {
+    std::vector<FollowedLine> lines = lines_to_follow();
+    const auto& round_all = task_.beside_boundaries.round_all(task_.field, narrowed);
+    std::ranges::copy(lines_through_narrows(round_all, lines, ground_), std::back_inserter(lines));
+    return {lines, roadmap_spacing_m()};
   }
 
   /// The way from where the route is, or from its gate, to the beginning of a work.

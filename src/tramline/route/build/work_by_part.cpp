@@ -13,13 +13,6 @@ namespace {
 /// Land that is narrower than the outline by twice this is held for wide enough, m.
 constexpr double kNarrower_m = 0.05;
 
-double half_breadth_m(const Outline& outline) {
-  double out_m = 0;
-  for (const std::vector<Box>* boxes : {&outline.on_machine, &outline.on_implement})
-    for (const Box& box : *boxes) out_m = std::max({out_m, box.max_y, -box.min_y});
-  return out_m;
-}
-
 /// Where the axle may be, in parts that do not meet.
 Region places_of_axle(const DrivingGround& ground) {
   const double aside_m = half_breadth_m(ground.outline()) - kNarrower_m;

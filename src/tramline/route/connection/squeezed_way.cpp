@@ -28,16 +28,16 @@ struct SqueezedWays::Narrowed {
   RoadmapOnDemand roadmap;
   Connector connector;
 
-  Narrowed(const Connector& wide, const Field& field, const Region& body,
-           const std::function<Roadmap()>& lines, double share)
+  Narrowed(const Connector& wide, const Field& field, const Region& body, const RoadmapFor& roadmap_for,
+           double share)
       : ground(wide.ground().turning(), field, narrower(wide.ground().machine(), share), body),
-        roadmap(lines, ground),
+        roadmap([&] { return roadmap_for(ground); }, ground),
         connector(ground, roadmap, wide.terms()) {}
 };
 
 SqueezedWays::SqueezedWays(const Connector& connector, const Field& field, const Region& body,
-                           std::function<Roadmap()> roadmap)
-    : connector_(connector), field_(field), body_(body), roadmap_(std::move(roadmap)) {}
+                           RoadmapFor roadmap_for)
+    : connector_(connector), field_(field), body_(body), roadmap_for_(std::move(roadmap_for)) {}
 
 SqueezedWays::~SqueezedWays() = default;
 
@@ -47,7 +47,7 @@ Way SqueezedWays::along_the_land(Way way, const SteeredPath& left, const Steered
   if (ground.outline().tows()) return way;
   for (std::size_t i = 0; i < kNarrowed.size(); ++i) {
     if (i == narrowed_.size())
-      narrowed_.push_back(std::make_unique<Narrowed>(connector_, field_, body_, roadmap_, kNarrowed[i]));
+      narrowed_.push_back(std::make_unique<Narrowed>(connector_, field_, body_, roadmap_for_, kNarrowed[i]));
     std::optional<Way> found = narrowed_[i]->connector.without_backing(left, entered);
     if (!found) continue;
     found->missing_m = ground.turning().missing_m(found->path, ground.outline());

@@ -9,15 +9,17 @@
 
 namespace tramline {
 
+/// Lines to follow for a machine that is narrower than in fact.
+using RoadmapFor = std::function<Roadmap(const DrivingGround& narrowed)>;
+
 /// Finds ways that leave the land as little as need be. The shortest way between two ends without room for
 /// the machine may lead straight across the land of others; one on which a narrower machine has room keeps to
 /// headlands and corridors, and sticks out in their bends alone. One object serves one thread.
 class SqueezedWays {
  public:
-  /// `connector`: that of the machine. `body`: the land of the tracks. `roadmap`: lines to follow. Connector,
-  /// field and land outlive the object.
-  SqueezedWays(const Connector& connector, const Field& field, const Region& body,
-               std::function<Roadmap()> roadmap);
+  /// `connector`: that of the machine. `body`: the land of the tracks. Connector, field and land outlive
+  /// the object.
+  SqueezedWays(const Connector& connector, const Field& field, const Region& body, RoadmapFor roadmap_for);
   ~SqueezedWays();
 
   /// The way of a narrower machine from `left` to `entered` that never backs, where this one leaves the land
@@ -31,7 +33,7 @@ class SqueezedWays {
   const Connector& connector_;
   const Field& field_;
   const Region& body_;
-  std::function<Roadmap()> roadmap_;
+  RoadmapFor roadmap_for_;
   std::vector<std::unique_ptr<Narrowed>> narrowed_;
 };
 

@@ -36,4 +36,11 @@ double farthest_corner_m(const Box& part) {
   return std::hypot(std::max(-part.min_x, part.max_x), std::max(-part.min_y, part.max_y));
 }
 
+double half_breadth_m(const Outline& outline) {
+  double out_m = 0;
+  for (const std::vector<Box>* boxes : {&outline.on_machine, &outline.on_implement})
+    for (const Box& box : *boxes) out_m = std::max({out_m, box.max_y, -box.min_y});
+  return out_m;
+}
+
 }  // namespace tramline
