@@ -203,6 +203,26 @@ TEST(Headland, SwingsRoundTheEndOfAWall) {
   EXPECT_NEAR(distance_to_path({40, 50.05}, headland.passes.front().path), 2, 2e-3);
 }
 
+/// How far a path gets from y = 50 m beside the middle of a wall there, 15 m to both sides.
+double farthest_beside(const Path& path) {
+  double out_m = 0;
+  for (const Point p : chords(path))
+    if (std::abs(p.x - 50) < 15) out_m = std::max(out_m, std::abs(p.y - 50));
+  return out_m;
+}
+
+// 60 m long and 10 cm thick, with a bend of 0.1 m in its middle: the circle that touches 2 m before the bend
+// has its centre 4 m behind it, and reaches 10 m beyond it, where the pass on the other side goes straight
+// on.
+TEST(Headland, GoesStraightOnBehindABendOfAWall) {
+  for (const double bend_m : {-0.1, 0.1}) {
+    const Ring wall{{20, 50}, {50, 50 + bend_m}, {80, 50}, {80, 50.1}, {50, 50.1 + bend_m}, {20, 50.1}};
+    const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {wall}), {4, 6, 0, {1}});
+    ASSERT_EQ(headland.passes.size(), 1u);
+    EXPECT_NEAR(farthest_beside(headland.passes.front().path), bend_m > 0 ? 2.2 : 2.1, 1e-3);
+  }
+}
+
 TEST(Headland, GoesRoundAPond) {
   const HeadlandAndBody headland =
       made(field_of(box(0, 0, 100, 100), {polygon(48, 10, {50, 50})}), {6, 6, 1, {2}});

@@ -15,7 +15,10 @@ TurningRoom turning_room(const std::vector<Boundary>& boundaries, double width_m
     out.offset_boundaries.push_back({boundary.ring, distance_m});
     any_tight = any_tight || distance_m < radius_m;
   }
-  if (any_tight) out.discs = wide_corners(offset_rings(out.offset_boundaries), radius_m);
+  if (any_tight) {
+    const std::vector<OffsetRing> rings = offset_rings(out.offset_boundaries);
+    out.discs = wide_corners(rings, rings, radius_m);
+  }
   for (OffsetBoundary& offset_boundary : out.offset_boundaries)
     offset_boundary.round_corners = offset_boundary.distance_m >= radius_m;
   return out;

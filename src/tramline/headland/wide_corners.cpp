@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "tramline/geometry/offset/offset_curve.h"
 #include "tramline/geometry/polygon/smallest_disc.h"
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
+
+/// A line is too near to a boundary only where it would be so a little longer, m.
+constexpr double kMargin_m = 1e-3;
 
 /// The offset line's arc about a corner.
 struct TightArc {
@@ -26,6 +31,7 @@ struct TightArc {
 struct Group {
   std::vector<TightArc> arcs;
   Point centre;
+  std::optional<Point> ahead{};  ///< from the centre to the land; nullopt: on all sides
 };
 
 Point turned_right(Point direction, double angle) {
@@ -78,10 +84,11 @@ bool find_disc(Group& group) {
     std::vector<Point> corners;
     for (const TightArc& arc : arcs) corners.push_back(arc.corner);
     group.centre = smallest_disc(corners).centre;
+    group.ahead.reset();
     return covers(group.centre, arcs, arcs.size());
   }
-  const Point ahead = turned_right(arcs.front().first, 0.5 * turned);
-  return farthest_back(arcs, -1.0 * ahead, group.centre);
+  group.ahead = turned_right(arcs.front().first, 0.5 * turned);
+  return farthest_back(arcs, -1.0 * *group.ahead, group.centre);
 }
 
 /// Largest depth of the arcs' ends and middles in any of the discs.
@@ -116,6 +123,7 @@ std::vector<Group> tight_arcs(const OffsetRing& ring, double radius_m) {
     const Point last{-piece.to_heading.y, piece.to_heading.x};
     Group group{{{piece.centre, radius_m - offset_radius, first, last, std::abs(turning(piece.segment)),
                   piece.offset_boundary}},
+                {},
                 {}};
     find_disc(group);
     out.push_back(std::move(group));
@@ -123,9 +131,50 @@ std::vector<Group> tight_arcs(const OffsetRing& ring, double radius_m) {
   return out;
 }
 
+bool meets(const OffsetCurve& line, const OffsetPiece& piece) {
+  const PathSegment& segment = piece.segment;
+  if (segment.straight()) {
+    const Box box = bounds(segment.from, segment.to).grown(kTouch_m);
+    return intersects(box, line.box) && !meetings(line, offset_line(segment.from, segment.to)).empty();
+  }
+  const double radius_m = radius(segment);
+  if (distance_to_segment(piece.centre, line.from, line.to) > radius_m + kTouch_m) return false;
+  return !meetings(line, offset_arc(piece.centre, radius_m, segment.from, segment.to)).empty();
+}
+
+/// Whether a line through a place in the middle that is too near to a boundary is so all along, by this much
+/// to both sides.
+bool is_too_near(Point middle, Point along, double half_m, const std::vector<OffsetRing>& all) {
+  const OffsetCurve line = offset_line(middle - half_m * along, middle + half_m * along);
+  return std::ranges::none_of(all, [&](const OffsetRing& ring) {
+    return std::ranges::any_of(ring, [&](const OffsetPiece& piece) { return meets(line, piece); });
+  });
+}
+
+/// The disc of a group, or the part of it ahead of its corners where that and all that lies at the group's
+/// distances from the boundaries have no end in the land: then it has none either where the disc and these
+/// distances are larger by a radius (turning_centres()).
+OffsetDisc disc_of(const Group& group, double radius_m, const std::vector<OffsetRing>& all) {
+  OffsetDisc out{group.centre, radius_m + kCoversSurely_m, group.arcs.front().offset_boundary};
+  if (!group.ahead) return out;
+  const auto ahead_m = [&](const TightArc& arc) { return dot(*group.ahead, arc.corner - group.centre); };
+  const TightArc& rearmost = *std::ranges::min_element(group.arcs, {}, ahead_m);
+  const double line_m = ahead_m(rearmost), square_m2 = out.radius_m * out.radius_m - line_m * line_m;
+  if (square_m2 <= 0) return out;
+  const Point middle = group.centre + line_m * *group.ahead;
+  if (distance(middle, rearmost.corner) >= rearmost.offset_radius_m(radius_m)) return out;
+  // With the radius added twice over and taken off again the line is the longer one.
+  const double half_m = std::sqrt(square_m2 + 3 * radius_m * radius_m) - radius_m + kMargin_m;
+  if (!is_too_near(middle, left_of(*group.ahead), half_m, all)) return out;
+  out.ahead = *group.ahead;
+  out.line_m = line_m;
+  return out;
+}
+
 }  // namespace
 
-std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, double radius_m) {
+std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, const std::vector<OffsetRing>& all,
+                                     double radius_m) {
   std::vector<OffsetDisc> out;
   for (const OffsetRing& ring : rings) {
     std::vector<Group> groups = tight_arcs(ring, radius_m);
@@ -142,8 +191,7 @@ std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, doubl
         if (next == 0) break;
       }
     }
-    for (const Group& group : groups)
-      out.push_back({group.centre, radius_m + kCoversSurely_m, group.arcs.front().offset_boundary});
+    for (const Group& group : groups) out.push_back(disc_of(group, radius_m, all));
   }
   return out;
 }

@@ -11,7 +11,11 @@ namespace tramline {
 /// the offset boundaries' distances and these discs the land has no such arcs: each is covered by a disc,
 /// which touches it in its middle from the land's side unless it shares the disc. Corners close together
 /// share a disc where that takes less of the offset line than a disc for each. O(n²) for n tight arcs that
-/// follow one another closely.
-std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, double radius_m);
+/// follow one another closely, O(n·m) for m pieces of all rings.
+///
+/// Only what a disc has ahead of its corners counts where that is enough: behind a corner of a thin obstacle
+/// it would reach out over the other side. `all`: the rings with what passes are not driven along.
+std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, const std::vector<OffsetRing>& all,
+                                     double radius_m);
 
 }  // namespace tramline

@@ -45,6 +45,23 @@ TEST(LevelRings, KeepToTheirSideOfTheShore) {
   for (const OffsetPiece& piece : rings.front()) EXPECT_GE(piece.segment.from.y, 1 - 1e-9);
 }
 
+// A disc of 6 m about a place 2 m behind a thin wall reaches 1 m over the line 3 m before it, a segment of
+// the circle. Cut along the wall it keeps no land free behind; its two parts keep free what the whole disc
+// does.
+TEST(LevelRings, KeepOffTheSideOfADiscThatCounts) {
+  const std::vector<OffsetBoundary> boundaries{{box(0, 0, 100, 100), 1},
+                                               {reversed(box(30, 50, 70, 50.001)), 3}};
+  const double without_m2 = level_area(boundaries);
+  const double segment_m2 = 36 * std::acos(5.0 / 6) - 5 * std::sqrt(11.0);
+  const OffsetDisc whole{{50, 48}, 6, 1};
+  OffsetDisc ahead = whole, behind = whole;
+  ahead.ahead = {0, 1}, ahead.line_m = 2;
+  behind.ahead = {0, -1}, behind.line_m = -2;
+  EXPECT_NEAR(without_m2 - level_area(boundaries, {ahead}), segment_m2, 0.02);
+  EXPECT_NEAR(level_area(boundaries, {ahead}) + level_area(boundaries, {behind}),
+              without_m2 + level_area(boundaries, {whole}), 1e-3);
+}
+
 // Edges that run into one another at one distance: an island on the edge, kept off by as much less as it is
 // deep.
 TEST(LevelRings, TakeLinesThatCoincide) {

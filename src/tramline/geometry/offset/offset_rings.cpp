@@ -20,7 +20,8 @@ struct Guard {
   Point from;
   Point to;
   double distance_m = 0;
-  Box box;  ///< contains all that is nearer
+  Box box;                           ///< contains all that is nearer
+  const OffsetDisc* disc = nullptr;  ///< whose it is
 };
 
 /// A curve at some guard's distance. Its own guards are two consecutive ones: edges at a corner, or twice
@@ -30,6 +31,9 @@ struct Candidate {
   std::size_t offset_boundary = 0;
   std::size_t guards[2] = {};
 };
+
+/// Whether a guard of a disc, or one of a boundary, counts at a point.
+bool counts_at(const Guard& guard, Point p) { return guard.disc == nullptr || guard.disc->counts_at(p); }
 
 struct CurveCut {
   double position = 0;
@@ -65,7 +69,7 @@ double squared_distance(Point p, const Guard& guard) {
 }
 
 void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
-  to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
+  to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m), nullptr});
 }
 
 bool has_arc_about(const OffsetBoundary& offset_boundary, std::size_t corner) {
@@ -106,6 +110,7 @@ void add_boundary(Arrangement& to, const OffsetBoundary& offset_boundary, std::s
 void add_disc(Arrangement& to, const OffsetDisc& disc) {
   const std::size_t guard = to.guards.size();
   add_guard(to, disc.centre, disc.centre, disc.radius_m);
+  to.guards.back().disc = &disc;
   const auto at = [&](int third) {
     const double angle = -2 * std::numbers::pi / 3 * (third % 3);
     return disc.centre + disc.radius_m * Point{std::cos(angle), std::sin(angle)};
@@ -175,13 +180,14 @@ void name_nodes(Arrangement& a) {
   }
 }
 
-/// How surely a point of the candidate is free; nullopt where it is not. `near` are guards that may be
-/// nearer.
+/// How surely a point of the candidate is free; nullopt where it is not, or not part of the boundary of what
+/// has to be kept free. `near` are guards that may be nearer.
 std::optional<Standing> standing(const Arrangement& a, const Candidate& candidate, Point p,
                                  const std::vector<std::size_t>& near) {
   Standing out = Standing::kFree;
+  if (!counts_at(a.guards[candidate.guards[0]], p)) return std::nullopt;
   for (const std::size_t g : near) {
-    if (g == candidate.guards[0] || g == candidate.guards[1]) continue;
+    if (g == candidate.guards[0] || g == candidate.guards[1] || !counts_at(a.guards[g], p)) continue;
     const double limit = a.guards[g].distance_m, square = squared_distance(p, a.guards[g]);
     const double low = limit - kSameDistance_m, high = limit + kSameDistance_m;
     if (square < low * low) return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 // The land that keeps a distance from boundaries: its exact boundary, of lines and arcs.
 
+#include <limits>
 #include <vector>
 
 #include "tramline/geometry/path/path.h"
@@ -17,11 +18,16 @@ struct OffsetBoundary {
   std::vector<std::size_t> covered_corners{};
 };
 
-/// A disc that has to be kept free as well.
+/// A disc that has to be kept free as well, or the part of it on one side of a line across it.
 struct OffsetDisc {
   Point centre;
   double radius_m = 0;              ///< > 0
   std::size_t offset_boundary = 0;  ///< index of the boundary that requires it
+  Point ahead{};                    ///< unit vector at right angles to the line; {0, 0}: the whole disc
+  double line_m = -std::numeric_limits<double>::infinity();  ///< from the centre ahead to the line
+
+  /// Whether a point lies on the side of the line that counts.
+  bool counts_at(Point p) const { return dot(ahead, p - centre) >= line_m; }
 };
 
 /// A piece of the boundary, with the land that keeps its distance on its left. Arcs bend to the right: they
@@ -41,9 +47,10 @@ using OffsetRing = std::vector<OffsetPiece>;
 /// The boundary of the free land whose points are at least an offset boundary's distance from each offset
 /// boundary and outside all discs: counter-clockwise rings round it, clockwise ones round what has to be kept
 /// off inside it. Parts that touch in a point are separate rings. Points that are too near to an offset
-/// boundary by up to 1e-9 m may count as free. Precondition: rings are simple and do not cross one another;
-/// they may touch. Throws Error(kFailure) where rounding leaves no boundary (no such case is known). O(n² +
-/// k·m) for n edges, with k crossings of the lines at the distance and m edges near one.
+/// boundary by up to 1e-9 m may count as free. Preconditions: rings are simple and do not cross one another;
+/// they may touch. Where a line cuts a disc, all of it inside the disc is too near to an offset boundary.
+/// Throws Error(kFailure) where rounding leaves no boundary (no such case is known). O(n² + k·m) for n edges,
+/// with k crossings of the lines at the distance and m edges near one.
 std::vector<OffsetRing> offset_rings(const std::vector<OffsetBoundary>& offset_boundaries,
                                      const std::vector<OffsetDisc>& discs = {});
 

@@ -109,8 +109,10 @@ TurningRoom room_beside(const EdgeChain& chain, const std::vector<Boundary>& obs
     out.offset_boundaries.push_back({obstacle.ring, distance_m});
     any_tight = any_tight || distance_m < radius_m;
   }
-  if (any_tight)
-    out.discs = wide_corners(arcs_to_drive(offset_rings(out.offset_boundaries), chain), radius_m);
+  if (any_tight) {
+    const std::vector<OffsetRing> rings = offset_rings(out.offset_boundaries);
+    out.discs = wide_corners(arcs_to_drive(rings, chain), rings, radius_m);
+  }
   if (beside_m < radius_m) out.offset_boundaries.front().covered_corners = between_ends(chain);
   for (std::size_t i = 1; i < out.offset_boundaries.size(); ++i)
     out.offset_boundaries[i].round_corners = out.offset_boundaries[i].distance_m >= radius_m;
