@@ -231,6 +231,29 @@ TEST(PlannedRoutes, hold_on_land_in_two_parts) {
   expect_route_holds(with_lane(4), machine(6, 6), settings);
 }
 
+// A strip 13 m wide and 200 m long, in which the machine cannot turn, and through a neck 4 m wide a room. The
+// strip has more work and comes first: of its two passes the last one driven ends at the neck.
+TEST(PlannedRoutes, leave_a_part_where_the_next_one_begins) {
+  const Field field = field_of({{0, -200},
+                                {13, -200},
+                                {13, 0},
+                                {8.5, 0},
+                                {8.5, 3},
+                                {25, 3},
+                                {25, 40},
+                                {-12, 40},
+                                {-12, 3},
+                                {4.5, 3},
+                                {4.5, 0},
+                                {0, 0}});
+  const Plan plan = expect_route_holds(field, machine(6, 6), whole_route(1));
+  const auto& legs = plan.route.legs;
+  const auto on_to_next = std::ranges::find_if(legs, [](const RouteLeg& leg) { return leg.missing_m > 0; });
+  ASSERT_NE(on_to_next, legs.end());
+  EXPECT_LT(length(*on_to_next), 30) << "straight on through the neck";
+  EXPECT_LT(on_to_next->missing_m, 3);
+}
+
 // Up to 0.1 m less than the machine's width the lane is held for wide enough, by the planner and by the
 // check.
 TEST(PlannedRoutes, hold_where_parts_are_hardly_joined) {

@@ -80,7 +80,7 @@ class RoutePlanner {
         work_by_part(route_lines_, task_.headland, {out_.start, out_.end}, ground_);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       leaves_part_ = i > 0;
-      last_part_ = i + 1 == parts.size();
+      ahead_ = i + 1 < parts.size() ? parts[i].next : out_.end;
       add_part(parts[i], given);
     }
     out_.parts = parts.size();
@@ -161,7 +161,7 @@ class RoutePlanner {
     leaves_part_ = false;
   }
 
-  /// `gate`: where the route ends once they are worked.
+  /// `gate`: where the route goes once they are worked.
   PassTask pass_task(const std::vector<std::size_t>& passes, std::optional<Point> gate = {}) const {
     return {task_.headland, entries_, passes, task_.settings.route.sequence, connector_, least_, gate};
   }
@@ -173,7 +173,8 @@ class RoutePlanner {
       if (groups[i].as_lines)
         add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1].passes : std::vector<std::size_t>{});
       else
-        add_nearest(groups[i].passes, i + 1 == groups.size() && ends_with_passes());
+        add_nearest(groups[i].passes,
+                    i + 1 == groups.size() && task_.settings.route.passes == PassTime::kLast);
   }
 
   /// In the order in which they are driven.
@@ -188,12 +189,10 @@ class RoutePlanner {
     return out;
   }
 
-  bool ends_with_passes() const { return last_part_ && task_.settings.route.passes == PassTime::kLast; }
-
   /// Passes in the order in which each is the nearest, or one after another.
   void add_nearest(const std::vector<std::size_t>& passes, bool ends) {
     const std::vector<WorkedPass> tour =
-        pass_tour(pass_task(passes, ends ? out_.end : std::optional<Point>{}), left_);
+        pass_tour(pass_task(passes, ends ? ahead_ : std::optional<Point>{}), left_);
     for (const WorkedPass& worked : tour) {
       const HeadlandPass& pass = task_.headland.passes[worked.pass];
       const SteeredPath axle = axle_path(pass, worked.entry, turning_);
@@ -228,7 +227,7 @@ class RoutePlanner {
   }
 
   /// What the way from the last line costs at least, by its end: to the passes that follow, or else to the
-  /// gate.
+  /// next part or the gate.
   void set_finishes(const std::vector<RouteLine>& lines, const std::vector<std::size_t>& passes,
                     KnownCosts& costs) const {
     if (!passes.empty())
@@ -251,8 +250,8 @@ class RoutePlanner {
       const Pose left = pose_left_by(lines[order::line_of(end)], end);
       if (!passes.empty())
         costs.set_finish(end, least_.crude(left, entered[near.nearest(left.at, 1).front()]));
-      else if (out_.end && last_part_)
-        costs.set_finish(end, least_.to_gate(*out_.end, left));
+      else if (ahead_)
+        costs.set_finish(end, least_.to_gate(*ahead_, left));
     }
   }
 
@@ -315,8 +314,8 @@ class RoutePlanner {
   std::vector<RouteLine> route_lines_;
   SteeredPath left_;       ///< what was driven forward to the end of the work so far; empty at the beginning
   std::size_t piece_ = 0;  ///< the next one, in driving order
-  bool leaves_part_ = false;  ///< the way to the next work leads from one part of the land to another
-  bool last_part_ = true;
+  bool leaves_part_ = false;    ///< the way to the next work leads from one part of the land to another
+  std::optional<Point> ahead_;  ///< where the route goes once the part is worked
   PlannedRoute out_;
 };
 

@@ -92,6 +92,10 @@ std::size_t nearest_to(const Polygon& places, const std::vector<Part>& parts) {
   return out;
 }
 
+Point nearest_corner(const Polygon& of, const Polygon& to) {
+  return *std::ranges::min_element(of.outer, {}, [&](Point corner) { return distance_to(to, corner); });
+}
+
 /// Takes one out of a list.
 Part taken(std::vector<Part>& parts, std::size_t i) {
   Part out = std::move(parts[i]);
@@ -109,7 +113,10 @@ std::vector<PartWork> in_driving_order(std::vector<Part> parts, const RouteEnds&
   while (!parts.empty()) out.push_back(taken(parts, nearest_to(out.back().places, parts)));
   if (last) out.push_back(std::move(*last));
   std::vector<PartWork> work;
-  for (Part& part : out) work.push_back(std::move(part.work));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (i + 1 < out.size()) out[i].work.next = nearest_corner(out[i + 1].places, out[i].places);
+    work.push_back(std::move(out[i].work));
+  }
   return work;
 }
 

@@ -15,6 +15,7 @@ namespace tramline {
 struct PartWork {
   std::vector<std::size_t> lines{};
   std::vector<std::size_t> passes{};
+  std::optional<Point> next{};  ///< the corner of the part driven next that is nearest to this one
 };
 
 /// Where a route begins and ends, if that was asked for.

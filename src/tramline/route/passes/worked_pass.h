@@ -28,7 +28,8 @@ struct PassTask {
   PassSequence sequence;
   const Connector& connector;
   const LeastSeconds& least;
-  std::optional<Point> gate{};  ///< where the route ends once they are worked; none: nowhere, or more follows
+  std::optional<Point>
+      gate{};  ///< where the route goes once they are worked; none: it ends, or tracks follow
 };
 
 /// The straight way from where the last pass was left to the gate; 0 without one.
