@@ -6,22 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "headland/headland_faults.h"
+#include "headland/drawn_headlands.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/edges/chain_ground.h"
-#include "tramline/headland/headland.h"
 
 namespace tramline::testing {
 namespace {
 
 constexpr double kPassWidth_m = 6, kTurn_m = 6;
-
-Field drawn_field(Ring outer) {
-  Field out;
-  out.id = "drawn";
-  out.outer = std::move(outer);
-  return out;
-}
 
 HeadlandTerms edge_terms(std::vector<int> passes) {
   HeadlandTerms out{kPassWidth_m, kTurn_m, 0, {}};
@@ -29,19 +21,13 @@ HeadlandTerms edge_terms(std::vector<int> passes) {
   return out;
 }
 
-HeadlandAndBody sound_headland(const Field& field, const HeadlandTerms& terms) {
-  HeadlandAndBody out = headland_of(field, terms);
-  for (const std::string& fault : faults_of(field, terms, out)) ADD_FAILURE() << fault;
-  return out;
-}
-
 /// Edges 0 south, 1 east, 2 north, 3 west.
 Field rectangle_of(double width_m, double height_m) {
-  return drawn_field({{0, 0}, {width_m, 0}, {width_m, height_m}, {0, height_m}});
+  return field_of({{0, 0}, {width_m, 0}, {width_m, height_m}, {0, height_m}});
 }
 
 TEST(EdgeHeadland, PassesAlongTwoEndsOfARectangleLeaveNothing) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 2, 0, 2}));
+  const HeadlandAndBody found = made(rectangle_of(100, 60), edge_terms({0, 2, 0, 2}));
   ASSERT_EQ(found.passes.size(), 4U);
   for (const HeadlandPass& pass : found.passes) {
     EXPECT_NEAR(length(pass.path), 60, 1e-5);
@@ -59,7 +45,7 @@ TEST(EdgeHeadland, PassesAlongTwoEndsOfARectangleLeaveNothing) {
 
 /// Passes driven northwards on the east side: the edges on their right.
 TEST(EdgeHeadland, PassesRunWithTheirEdgesOnTheirRight) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 1, 0, 0}));
+  const HeadlandAndBody found = made(rectangle_of(100, 60), edge_terms({0, 1, 0, 0}));
   ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_GT(found.passes.front().path.back().to.y, found.passes.front().path.front().from.y);
 }
@@ -78,7 +64,7 @@ TEST(EdgeHeadland, EqualNumbersAreThoseAllRound) {
 /// One pass all round, and a second one along the east only, between the first one's ends: its swath begins
 /// where the first one's ends, 6 m from south and north.
 TEST(EdgeHeadland, AFurtherPassStopsAtTheOneDrivenBefore) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({1, 2, 1, 1}));
+  const HeadlandAndBody found = made(rectangle_of(100, 60), edge_terms({1, 2, 1, 1}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_TRUE(is_closed(found.passes[0]));
   EXPECT_FALSE(is_closed(found.passes[1]));
@@ -90,7 +76,7 @@ TEST(EdgeHeadland, AFurtherPassStopsAtTheOneDrivenBefore) {
 /// Round a corner as all passes go: an arc of the turning radius, and nothing but its corners left or
 /// doubled.
 TEST(EdgeHeadland, AChainOfTwoEdgesIsDrivenRoundItsCorner) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 1, 1, 0}));
+  const HeadlandAndBody found = made(rectangle_of(100, 60), edge_terms({0, 1, 1, 0}));
   ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_NEAR(length(found.passes.front().path), 57 + 97 - (2 - std::numbers::pi / 2) * kTurn_m, 1e-4);
   EXPECT_NEAR(found.uncovered_m2, (1 - std::numbers::pi / 4) * 9 * 9, 1e-2);
@@ -101,8 +87,8 @@ TEST(EdgeHeadland, AChainOfTwoEdgesIsDrivenRoundItsCorner) {
 /// A slanted west side, 45°: behind its chain's end at the south the first pass ends at the corner, the
 /// second one runs on until its outer side meets the slanted side, 6 m farther.
 TEST(EdgeHeadland, GoesStraightOnToASlantedBoundary) {
-  const Field field = drawn_field({{0, 0}, {100, 0}, {100, 60}, {-60, 60}});
-  const HeadlandAndBody found = sound_headland(field, edge_terms({2, 0, 0, 0}));
+  const Field field = field_of({{0, 0}, {100, 0}, {100, 60}, {-60, 60}});
+  const HeadlandAndBody found = made(field, edge_terms({2, 0, 0, 0}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_NEAR(length(found.passes[0].path), 100, 1e-4);
   EXPECT_NEAR(length(found.passes[1].path), 106, 1e-4);
@@ -112,8 +98,8 @@ TEST(EdgeHeadland, GoesStraightOnToASlantedBoundary) {
 
 /// Under the wing of an L: beyond the chain's end the field widens, and tracks go on there.
 TEST(EdgeHeadland, EndsFlatWhereTheFieldWidens) {
-  const Field field = drawn_field({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
-  const HeadlandAndBody found = sound_headland(field, edge_terms({3, 0, 0, 0, 0, 0}));
+  const Field field = field_of({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
+  const HeadlandAndBody found = made(field, edge_terms({3, 0, 0, 0, 0, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
   for (const HeadlandPass& pass : found.passes) EXPECT_NEAR(length(pass.path), 100, 1e-4);
   EXPECT_NEAR(area(found.ground), 18 * 100, 1e-3);
@@ -122,10 +108,10 @@ TEST(EdgeHeadland, EndsFlatWhereTheFieldWidens) {
 
 /// A corner that stands out into the land: an arc about it.
 TEST(EdgeHeadland, AChainRoundACornerThatStandsOut) {
-  const Field field = drawn_field({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
+  const Field field = field_of({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
   HeadlandTerms terms = edge_terms({1, 1, 0, 0, 0, 0});
   terms.radius_m = 3;  // that of the arc about the corner
-  const HeadlandAndBody found = sound_headland(field, terms);
+  const HeadlandAndBody found = made(field, terms);
   ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_NEAR(length(found.passes.front().path), 100 + 80 + 3 * std::numbers::pi / 2, 1e-3);
   EXPECT_NEAR(area(found.ground), 6 * 180 + std::numbers::pi / 4 * 36, 0.02);
@@ -134,7 +120,7 @@ TEST(EdgeHeadland, AChainRoundACornerThatStandsOut) {
 /// Three passes along the east, two along the north, which meet at a right angle: the third one runs on to
 /// the second one of the other side.
 TEST(EdgeHeadland, NumbersThatChangeAtACorner) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 3, 2, 0}));
+  const HeadlandAndBody found = made(rectangle_of(100, 60), edge_terms({0, 3, 2, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
   EXPECT_EQ(found.passes[2].number, 3);
   EXPECT_NEAR(length(found.passes[2].path), 48, 0.01);
@@ -152,14 +138,14 @@ TEST(EdgeHeadland, ManyVerticesOnOneSide) {
   outer.push_back({0, 60});
   passes.push_back(0);
   passes.push_back(0);
-  const HeadlandAndBody found = sound_headland(drawn_field(outer), edge_terms(passes));
+  const HeadlandAndBody found = made(field_of(outer), edge_terms(passes));
   ASSERT_EQ(found.passes.size(), 2U);
   for (const HeadlandPass& pass : found.passes) EXPECT_NEAR(length(pass.path), 60, 1);
 }
 
 /// An arm 9 m wide between two facing edges: each of them has its pass, and no second one fits.
 TEST(EdgeHeadland, FacingEdgesInANarrowArm) {
-  const HeadlandAndBody found = sound_headland(rectangle_of(100, 9), edge_terms({2, 0, 2, 0}));
+  const HeadlandAndBody found = made(rectangle_of(100, 9), edge_terms({2, 0, 2, 0}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_NEAR(found.overlap_m2, 3 * 100, 1);
   EXPECT_NEAR(found.uncovered_m2, 0, 0.1);
@@ -171,7 +157,7 @@ TEST(EdgeHeadland, AnObstacleNearTheEdgeIsPassed) {
   Field field = rectangle_of(200, 200);
   field.obstacles.push_back(
       {{{{196, 90}, {198, 90}, {198, 92}, {196, 92}}, {}}, ObstacleKind::kObstacle, ""});
-  const HeadlandAndBody found = sound_headland(field, edge_terms({0, 2, 0, 0}));
+  const HeadlandAndBody found = made(field, edge_terms({0, 2, 0, 0}));
   ASSERT_GE(found.passes.size(), 2U);
   double longest_m = 0;
   for (const HeadlandPass& pass : found.passes) longest_m = std::max(longest_m, length(pass.path));
@@ -179,15 +165,15 @@ TEST(EdgeHeadland, AnObstacleNearTheEdgeIsPassed) {
 }
 
 TEST(EdgeHeadland, AllButOneShortEdge) {
-  const Field field = drawn_field({{0, 0}, {45, 0}, {55, 0}, {100, 0}, {100, 100}, {0, 100}});
-  const HeadlandAndBody found = sound_headland(field, edge_terms({2, 0, 2, 2, 2, 2}));
+  const Field field = field_of({{0, 0}, {45, 0}, {55, 0}, {100, 0}, {100, 100}, {0, 100}});
+  const HeadlandAndBody found = made(field, edge_terms({2, 0, 2, 2, 2, 2}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_NEAR(area(found.ground), 100 * 100 - 76 * 76 - 10 * 12, 1e-3);
 }
 
 TEST(EdgeHeadland, OneEdgeOfATriangle) {
-  const Field field = drawn_field({{0, 0}, {120, 0}, {60, 100}});
-  const HeadlandAndBody found = sound_headland(field, edge_terms({3, 0, 0}));
+  const Field field = field_of({{0, 0}, {120, 0}, {60, 100}});
+  const HeadlandAndBody found = made(field, edge_terms({3, 0, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
   // Each ends where its inner side meets the others, 0.6 m nearer for each metre of depth.
   for (const HeadlandPass& pass : found.passes)
@@ -196,8 +182,7 @@ TEST(EdgeHeadland, OneEdgeOfATriangle) {
 
 TEST(EdgeHeadland, StripsDoNotReachOverTheBoundaryIntoAnotherArm) {
   // Two arms, 5 m apart; the chain is the western arm's eastern side.
-  const Field field =
-      drawn_field({{0, 0}, {60, 0}, {60, 80}, {40, 80}, {40, 20}, {35, 20}, {35, 80}, {0, 80}});
+  const Field field = field_of({{0, 0}, {60, 0}, {60, 80}, {40, 80}, {40, 20}, {35, 20}, {35, 80}, {0, 80}});
   EdgeChain chain{{40, 80}, {40, 20}};
   // Its land is on its left, to the east.
   const ChainGround ground = ground_along(chain, field.outer, 12);
