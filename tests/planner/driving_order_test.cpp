@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/prepared.h"
 #include "properties/seeds.h"
 #include "support/hops.h"
 #include "tramline/planner/plan_field.h"
@@ -200,8 +201,7 @@ TEST(DrivingOrder, PiecesThatACrossingJoinsStayTogether) {
 // Three subfields in a row, given in the order left, right, middle: after the left comes the middle, whose
 // track begins where the first one ends.
 TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
-  const PlanningProblem problem{field_of(box(0, 0, 63, 50)), {"", 3, 6, -1}, {}, {}};
-  const PreparedField unprepared;
+  const testing::Prepared prepared{{field_of(box(0, 0, 63, 50)), {"", 3, 6, -1}, {}, {}}};
   Candidate candidate;
   const StripGrid grid{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 3};
   for (const int strip : {0, 20, 10}) {
@@ -213,7 +213,7 @@ TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
     only.to = 50;
     candidate.avoided.tracks.back().pieces.push_back(only);
   }
-  const std::vector<TrackPiece> pieces = driven_tracks({problem, unprepared}, candidate).pieces;
+  const std::vector<TrackPiece> pieces = driven_tracks(prepared.task(), candidate).pieces;
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_EQ(pieces[0].subfield, 0U);
   EXPECT_EQ(pieces[1].subfield, 2U);

@@ -12,6 +12,9 @@ namespace {
 /// A way without room costs as if it were so much longer, s, for each metre that is missing and at all: it is
 /// taken where there is no other.
 constexpr double kWithoutRoom_s = 1000;
+/// A way from the last line may have room by the way on which the machine comes to that line. One without as
+/// far as is known costs so much more, s, less than any that has none for sure.
+constexpr double kDoubtful_s = 500;
 /// Backing out of a dead end takes about so many radii there and back.
 constexpr double kBacking_radii = 1.5;
 
@@ -110,7 +113,9 @@ void KnownCosts::settle_start(order::End entered) {
 }
 
 void KnownCosts::settle_finish(order::End left) {
-  if (from_last_ && settled_finishes_.insert(left).second) at_finish_[left] = cost_of(from_last_(left));
+  if (!from_last_ || !settled_finishes_.insert(left).second) return;
+  const Way way = from_last_(left);
+  at_finish_[left] = way.cost_s + (way.has_room() ? 0 : kDoubtful_s);
 }
 
 bool KnownCosts::starts_with_room(order::End entered) const {
