@@ -84,5 +84,25 @@ TEST(TourAsDriven, IsAnotherWhereNothingWasDrivenBefore) {
   EXPECT_GT(costs.between(1, supposed.tour[1]), 1000);
 }
 
+// The way from the last line may have room once it is known how the machine came to it; that out of the arm
+// has none once it is known how it did.
+TEST(KnownCosts, PreferAWayFromTheLastLineThatMayHaveRoomToOneThatHasNone) {
+  const ArmFirst scene;
+  KnownCosts costs = scene.costs();
+  costs.set_way_from_last([](order::End left) {
+    Way out;
+    out.cost_s = 40;
+    out.missing_m = left == 1 ? 20 : 0;
+    return out;
+  });
+  costs.settle_finish(1);
+  costs.settle_finish(2);
+  EXPECT_EQ(costs.at_finish(2), 40);
+  EXPECT_GT(costs.at_finish(1), 40 + 300) << "backing all along the arm instead";
+  ASSERT_TRUE(costs.way(1, 2).supposed);
+  costs.refuse_supposed(1, 2);
+  EXPECT_LT(costs.at_finish(1), costs.between(1, 2));
+}
+
 }  // namespace tour_as_driven_test
 }  // namespace tramline
