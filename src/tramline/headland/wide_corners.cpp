@@ -151,9 +151,10 @@ bool is_too_near(Point middle, Point along, double half_m, const std::vector<Off
   });
 }
 
-/// The disc of a group, or the part of it ahead of its corners where that and all that lies at the group's
-/// distances from the boundaries have no end in the land: then it has none either where the disc and these
-/// distances are larger by a radius (turning_centres()).
+/// The disc of a group, or the part of it ahead of its corners where the line that cuts it off is too near to
+/// the boundaries all along: then no end of that line lies in the land. turning_centres() makes disc and
+/// distances larger by a radius r. There the half line, of √((2r)² - s²) at a distance s from the centre, is
+/// too near where this one is so up to r before its end, which is beyond √(r² - s²).
 OffsetDisc disc_of(const Group& group, double radius_m, const std::vector<OffsetRing>& all) {
   OffsetDisc out{group.centre, radius_m + kCoversSurely_m, group.arcs.front().offset_boundary};
   if (!group.ahead) return out;
@@ -163,7 +164,6 @@ OffsetDisc disc_of(const Group& group, double radius_m, const std::vector<Offset
   if (square_m2 <= 0) return out;
   const Point middle = group.centre + line_m * *group.ahead;
   if (distance(middle, rearmost.corner) >= rearmost.offset_radius_m(radius_m)) return out;
-  // With the radius added twice over and taken off again the line is the longer one.
   const double half_m = std::sqrt(square_m2 + 3 * radius_m * radius_m) - radius_m + kMargin_m;
   if (!is_too_near(middle, left_of(*group.ahead), half_m, all)) return out;
   out.ahead = *group.ahead;
