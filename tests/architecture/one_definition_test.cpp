@@ -10,8 +10,7 @@
 #include "architecture/defined_types.h"
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace one_definition_test {
+namespace tramline::architecture::one_definition_test {
 
 using Names = std::vector<std::string>;
 
@@ -42,5 +41,4 @@ TEST(OneDefinition, NoTwoHeadersDefineOneQualifiedName) {
     if (paths.size() > 1) ADD_FAILURE() << name << " is defined in " << paths[0] << " and in " << paths[1];
 }
 
-}  // namespace one_definition_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::one_definition_test

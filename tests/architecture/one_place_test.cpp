@@ -8,8 +8,7 @@
 
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace one_place_test {
+namespace tramline::architecture::one_place_test {
 
 // "1.2.3" as a word of its own: neither "11.2.3" nor "1.2.34" nor "1.2.3.4".
 std::regex version_pattern(const std::string& version) {
@@ -78,5 +77,4 @@ TEST(OnePlace, NoFileNamesAFolderOfOneMachine) {
   }
 }
 
-}  // namespace one_place_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::one_place_test

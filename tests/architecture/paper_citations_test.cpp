@@ -16,8 +16,7 @@
 #include "architecture/plain_code.h"
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace paper_citations_test {
+namespace tramline::architecture::paper_citations_test {
 
 enum class Part { kSection, kEquation, kFigure, kTable, kAlgorithm };
 
@@ -384,5 +383,4 @@ TEST(PapersPage, EveryRowHasOneOfTheStates) {
   EXPECT_GE(rows, 100U);
 }
 
-}  // namespace paper_citations_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::paper_citations_test

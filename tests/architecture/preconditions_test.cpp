@@ -10,8 +10,7 @@
 
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace preconditions_test {
+namespace tramline::architecture::preconditions_test {
 
 /// Headers none of whose preconditions are asserted, each with the reason.
 const std::map<std::string, std::string> kNotAsserted = {
@@ -66,5 +65,4 @@ TEST(Preconditions, AreAssertedOrOnTheList) {
   EXPECT_EQ(excused.size(), kNotAsserted.size()) << "the list names a header that states no precondition";
 }
 
-}  // namespace preconditions_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::preconditions_test

@@ -11,8 +11,7 @@
 
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace rooms_test {
+namespace tramline::architecture::rooms_test {
 
 using Names = std::set<std::string>;
 
@@ -107,5 +106,4 @@ TEST(PublicHeaders, AreFewAndStandForThemselves) {
       EXPECT_EQ(headers.count(other), 1U) << header << " includes " << other << ", which is not installed";
 }
 
-}  // namespace rooms_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::rooms_test

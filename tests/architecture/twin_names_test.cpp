@@ -12,8 +12,7 @@
 
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace twin_names_test {
+namespace tramline::architecture::twin_names_test {
 
 using Names = std::set<std::string>;
 
@@ -84,5 +83,4 @@ TEST(TwinNames, ThereAreNone) {
   EXPECT_EQ(known, by_nature.size()) << "an exception is none any more";
 }
 
-}  // namespace twin_names_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::twin_names_test

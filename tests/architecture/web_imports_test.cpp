@@ -11,8 +11,7 @@
 
 #include "architecture/source_tree.h"
 
-namespace tramline::architecture {
-namespace web_imports_test {
+namespace tramline::architecture::web_imports_test {
 
 using Names = std::set<std::string>;
 
@@ -67,5 +66,4 @@ TEST(WebImports, MakeNoCircle) {
   for (const std::string& path : modules) visit(path);
 }
 
-}  // namespace web_imports_test
-}  // namespace tramline::architecture
+}  // namespace tramline::architecture::web_imports_test

@@ -5,8 +5,7 @@
 
 #include "avoidance/pole_field.h"
 
-namespace tramline {
-namespace best_combination_test {
+namespace tramline::best_combination_test {
 
 using namespace testing_poles;
 
@@ -87,5 +86,4 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
 
 // The field is its own mirror image about the middle of strip 3, and so is the pole.
 
-}  // namespace best_combination_test
-}  // namespace tramline
+}  // namespace tramline::best_combination_test

@@ -15,8 +15,7 @@
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/straight_tracks.h"
 
-namespace tramline {
-namespace choose_detours_test {
+namespace tramline::choose_detours_test {
 
 using namespace testing_poles;
 
@@ -447,5 +446,4 @@ TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
   EXPECT_GT(looked_at, 0);
 }
 
-}  // namespace choose_detours_test
-}  // namespace tramline
+}  // namespace tramline::choose_detours_test

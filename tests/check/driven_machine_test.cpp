@@ -7,8 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tramline::check {
-namespace driven_machine_test {
+namespace tramline::check::driven_machine_test {
 
 constexpr double kDrawbar_m = 2.66;
 
@@ -49,5 +48,4 @@ TEST(DrivenMachine, DrawsAnImplementAsItsAngleTurns) {
   EXPECT_GT(angle_by_rate(1, 0.1), 0.5 * std::numbers::pi);
 }
 
-}  // namespace driven_machine_test
-}  // namespace tramline::check
+}  // namespace tramline::check::driven_machine_test

@@ -5,8 +5,7 @@
 #include "tramline/cost/strip_tally.h"
 #include "tramline/tracks/strip_origin.h"
 
-namespace tramline {
-namespace cost_causes_test {
+namespace tramline::cost_causes_test {
 
 constexpr double kWidth = 3;
 // Edges lie on strip lines up to the width tolerance.
@@ -179,5 +178,4 @@ TEST(CostCauses, SumToTheTallyWhateverRounds) {
   EXPECT_NEAR(causes.uncovered_rounding_m2, 0, 1e-6);
 }
 
-}  // namespace cost_causes_test
-}  // namespace tramline
+}  // namespace tramline::cost_causes_test

@@ -7,8 +7,7 @@
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/strip_origin.h"
 
-namespace tramline {
-namespace strip_tally_test {
+namespace tramline::strip_tally_test {
 
 constexpr double kWidth = 3;
 
@@ -111,5 +110,4 @@ TEST(Cost, IsTheWeightedSum) {
   EXPECT_NEAR(cost(Objective{99999, 1, 1, 0}, tally), 99999 * 100 + 50 + 10, 1e-6);
 }
 
-}  // namespace strip_tally_test
-}  // namespace tramline
+}  // namespace tramline::strip_tally_test

@@ -9,8 +9,7 @@
 #include "properties/seeds.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace whole_tally_test {
+namespace tramline::whole_tally_test {
 
 constexpr double kWidth = 3;
 
@@ -126,5 +125,4 @@ TEST(WholeTally, OfAnyWorksIsThatOfBooleans) {
   });
 }
 
-}  // namespace whole_tally_test
-}  // namespace tramline
+}  // namespace tramline::whole_tally_test

@@ -4,8 +4,7 @@
 
 #include "tramline/geometry/path/kinked_line.h"
 
-namespace tramline {
-namespace zhou_tally_test {
+namespace tramline::zhou_tally_test {
 
 LaidPiece piece_along(const std::vector<Point>& line) {
   LaidPiece out;
@@ -56,5 +55,4 @@ TEST(ZhouTally, CountsWhatOneSwathWorksTwice) {
   expect_identity(tally, 1600);
 }
 
-}  // namespace zhou_tally_test
-}  // namespace tramline
+}  // namespace tramline::zhou_tally_test

@@ -7,8 +7,7 @@
 
 #include "headland/drawn_headlands.h"
 
-namespace tramline::testing {
-namespace headland_test {
+namespace tramline::testing::headland_test {
 
 TEST(Headland, OfNoPassesIsNothing) {
   const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 60)), {6, 6, 0, {}});
@@ -124,5 +123,4 @@ TEST(MostPasses, LeaveABody) {
   EXPECT_EQ(most_passes(field_of(box(0, 0, 100, 60), {box(40, 20, 60, 40)}), 6), 4);
 }
 
-}  // namespace headland_test
-}  // namespace tramline::testing
+}  // namespace tramline::testing::headland_test

@@ -7,8 +7,7 @@
 #include "headland/drawn_headlands.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline::testing {
-namespace narrow_land_test {
+namespace tramline::testing::narrow_land_test {
 
 /// Of a circle, beyond a chord.
 double cap_m2(double radius, double height) {
@@ -222,5 +221,4 @@ TEST(Headland, FitsWhereItJustFits) {
   EXPECT_NEAR(length(strip.passes.front().path), 2 * 48 + 6 * kPi, kLength);
 }
 
-}  // namespace narrow_land_test
-}  // namespace tramline::testing
+}  // namespace tramline::testing::narrow_land_test

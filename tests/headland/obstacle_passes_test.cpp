@@ -7,8 +7,7 @@
 
 #include "headland/drawn_headlands.h"
 
-namespace tramline::testing {
-namespace obstacle_passes_test {
+namespace tramline::testing::obstacle_passes_test {
 
 // About the corners of a square the pass, its outer edge and the clearance end in quarters of circles; with
 // mitres all three are squares.
@@ -246,5 +245,4 @@ TEST(Headland, LeavesLandInsideAnObstacleAlone) {
   EXPECT_NEAR(area(headland.body), 88 * 88 - 400 - 480 - 36 * kPi + 100, kChords);
 }
 
-}  // namespace obstacle_passes_test
-}  // namespace tramline::testing
+}  // namespace tramline::testing::obstacle_passes_test

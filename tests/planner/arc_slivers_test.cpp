@@ -12,8 +12,7 @@
 #include "tramline/geometry/tolerances.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace arc_slivers_test {
+namespace tramline::arc_slivers_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kWidth_m = 6, kRadius_m = 10;
@@ -88,5 +87,4 @@ TEST(ArcSlivers, LeaveThinLandBehindAHeadlandInItsLayer) {
   EXPECT_NEAR(area(plan.uncovered), plan.tally.uncovered_m2, 4 * 0.5 * kPi * kWidth_m * kLayerSagitta);
 }
 
-}  // namespace arc_slivers_test
-}  // namespace tramline
+}  // namespace tramline::arc_slivers_test

@@ -10,8 +10,7 @@
 #include "tramline/planner/curved/best_curved.h"
 #include "tramline/planner/search/merge_pairs.h"
 
-namespace tramline {
-namespace curved_division_test {
+namespace tramline::curved_division_test {
 
 constexpr double kInner_m = 60, kOuter_m = 84;
 constexpr int kChords = 60;
@@ -131,5 +130,4 @@ TEST(JoinPairs, TakesThePairThatSavesMostAgainAndAgain) {
   EXPECT_EQ(looked.asked.size(), 6U + 2U + 1U);
 }
 
-}  // namespace curved_division_test
-}  // namespace tramline
+}  // namespace tramline::curved_division_test

@@ -12,8 +12,7 @@
 #include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace explanation_test {
+namespace tramline::explanation_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -252,5 +251,4 @@ TEST(TradeOff, RefusesTracksThatAreNotStraight) {
   EXPECT_TRUE(mentions(refusal_of([&] { trade_off(l_shape(), {}, {}, settings, 1); }), "as in the paper"));
 }
 
-}  // namespace explanation_test
-}  // namespace tramline
+}  // namespace tramline::explanation_test

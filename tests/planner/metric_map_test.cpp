@@ -16,8 +16,7 @@
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/prepare_field.h"
 
-namespace tramline {
-namespace metric_map_test {
+namespace tramline::metric_map_test {
 
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
@@ -411,5 +410,4 @@ TEST(MetricMap, ALineAllRoundThatSmoothingLeavesNothingOfIsRefused) {
   EXPECT_FALSE(reference_along(task, {{0, 0}, {60, 20}, {100, 0}}, 6).round);
 }
 
-}  // namespace metric_map_test
-}  // namespace tramline
+}  // namespace tramline::metric_map_test

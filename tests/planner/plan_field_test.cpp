@@ -8,8 +8,7 @@
 
 #include "tramline/geometry/error.h"
 
-namespace tramline {
-namespace plan_field_test {
+namespace tramline::plan_field_test {
 
 Field rectangle(double width, double height) {
   Field field;
@@ -168,5 +167,4 @@ TEST(DrivingOrder, GoesUpAndDown) {
     EXPECT_NEAR(distance(plan.pieces[i - 1].end, plan.pieces[i].start), 3, 1e-9) << i;
 }
 
-}  // namespace plan_field_test
-}  // namespace tramline
+}  // namespace tramline::plan_field_test

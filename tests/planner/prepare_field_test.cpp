@@ -10,8 +10,7 @@
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/search/straight_search.h"
 
-namespace tramline {
-namespace prepare_field_test {
+namespace tramline::prepare_field_test {
 
 Ring box(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
@@ -120,5 +119,4 @@ TEST(PrepareField, TellsWhereTheClearanceTakesAll) {
   }
 }
 
-}  // namespace prepare_field_test
-}  // namespace tramline
+}  // namespace tramline::prepare_field_test

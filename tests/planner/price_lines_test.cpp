@@ -14,8 +14,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace price_lines_test {
+namespace tramline::price_lines_test {
 
 constexpr double kWidth = 4;
 constexpr double kField_m2 = 60 * 40;
@@ -301,5 +300,4 @@ TEST(PriceLines, AClosedTrackKeepsItsArcs) {
   EXPECT_NEAR(plan.tally.overlap_m2, 0, 5e-4);
 }
 
-}  // namespace price_lines_test
-}  // namespace tramline
+}  // namespace tramline::price_lines_test

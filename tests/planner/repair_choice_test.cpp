@@ -11,8 +11,7 @@
 
 #include "tramline/planner/repair/line_positions.h"
 
-namespace tramline {
-namespace repair_choice_test {
+namespace tramline::repair_choice_test {
 
 constexpr double kWidth_m = 6;
 
@@ -165,5 +164,4 @@ TEST(RepairChoice, TheNumberOfThreadsChangesNothing) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].swaths, b[i].swaths);
 }
 
-}  // namespace repair_choice_test
-}  // namespace tramline
+}  // namespace tramline::repair_choice_test

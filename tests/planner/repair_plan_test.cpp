@@ -12,8 +12,7 @@
 #include "support/refusals.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace repair_plan_test {
+namespace tramline::repair_plan_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -251,5 +250,4 @@ TEST(RepairPlan, AnAngleIsWorkedAlongBothArms) {
   EXPECT_LT(done.plan.tally.track_length_m, 101);
 }
 
-}  // namespace repair_plan_test
-}  // namespace tramline
+}  // namespace tramline::repair_plan_test

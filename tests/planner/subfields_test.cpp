@@ -10,8 +10,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace subfields_test {
+namespace tramline::subfields_test {
 
 const Machine kMachine{"", 6, 6, -1};
 
@@ -72,5 +71,4 @@ TEST(Subfields, DirectionsOfNeighboursDifferByTheMergeThreshold) {
   }
 }
 
-}  // namespace subfields_test
-}  // namespace tramline
+}  // namespace tramline::subfields_test

@@ -12,8 +12,7 @@
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/search/straight_search.h"
 
-namespace tramline {
-namespace sweep_search_test {
+namespace tramline::sweep_search_test {
 
 std::vector<LinedSubfield> driven(const SearchTask& task, double degrees) {
   return {{{task.ground.plannable.front(), Direction::clockwise_from_north(Angle::degrees(degrees))}, 0}};
@@ -111,5 +110,4 @@ TEST(SweepSearch, CountsCandidatesWithoutDetours) {
   EXPECT_EQ(sweep_limits(task, swept, 20).without_detours, 0);
 }
 
-}  // namespace sweep_search_test
-}  // namespace tramline
+}  // namespace tramline::sweep_search_test

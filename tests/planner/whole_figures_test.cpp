@@ -12,8 +12,7 @@
 #include "tramline/headland/body.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace whole_figures_test {
+namespace tramline::whole_figures_test {
 
 Field field_of(Ring outer) {
   Field field;
@@ -128,5 +127,4 @@ TEST(WholeFigures, TheBoundDoesNotExceedTheCost) {
   }
 }
 
-}  // namespace whole_figures_test
-}  // namespace tramline
+}  // namespace tramline::whole_figures_test

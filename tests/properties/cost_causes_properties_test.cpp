@@ -14,8 +14,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace cost_causes_properties_test {
+namespace tramline::cost_causes_properties_test {
 
 using testing::case_count;
 using testing::Scene;
@@ -145,5 +144,4 @@ TEST(CostCausesProperties, PartTheTallyOfPlansAmongObstacles) {
   });
 }
 
-}  // namespace cost_causes_properties_test
-}  // namespace tramline
+}  // namespace tramline::cost_causes_properties_test

@@ -23,8 +23,7 @@
 #include "tramline/tracks/curved_tracks.h"
 #include "tramline/tracks/straight_tracks.h"
 
-namespace tramline {
-namespace curved_pieces_properties_test {
+namespace tramline::curved_pieces_properties_test {
 
 struct Scene {
   Region body;  ///< with holes
@@ -279,5 +278,4 @@ TEST(CurvedPieces, LandBesideTheSubfieldStaysUncovered) {
   EXPECT_FALSE(plain_candidate(task, ground, subfield, {499}).works());
 }
 
-}  // namespace curved_pieces_properties_test
-}  // namespace tramline
+}  // namespace tramline::curved_pieces_properties_test

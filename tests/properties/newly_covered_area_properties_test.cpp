@@ -13,8 +13,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
 
-namespace tramline {
-namespace newly_covered_area_properties_test {
+namespace tramline::newly_covered_area_properties_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Box kEverywhere{-kInfinity, -kInfinity, kInfinity, kInfinity};
@@ -236,5 +235,4 @@ TEST(LayeredAreaProperties, OfABandAloneIsItsWidthTimesItsLength) {
   });
 }
 
-}  // namespace newly_covered_area_properties_test
-}  // namespace tramline
+}  // namespace tramline::newly_covered_area_properties_test

@@ -13,8 +13,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/search/sweep_search.h"
 
-namespace tramline {
-namespace outlook_properties_test {
+namespace tramline::outlook_properties_test {
 
 using testing::Scene;
 
@@ -119,5 +118,4 @@ TEST(Outlook, CountsTheTracksThatAPondCuts) {
   EXPECT_LE(outlook.least, candidate_on(task, {{whole, 0}}).cost());
 }
 
-}  // namespace outlook_properties_test
-}  // namespace tramline
+}  // namespace tramline::outlook_properties_test

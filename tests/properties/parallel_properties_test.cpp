@@ -18,8 +18,7 @@
 #include "tramline/geometry/path/smoothed_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace parallel_properties_test {
+namespace tramline::parallel_properties_test {
 
 constexpr Box kWindow{-80, -80, 80, 80};
 
@@ -211,5 +210,4 @@ TEST(ParallelProperties, RunWherePolygonBooleansPutThem) {
   EXPECT_GT(compared, 100);
 }
 
-}  // namespace parallel_properties_test
-}  // namespace tramline
+}  // namespace tramline::parallel_properties_test

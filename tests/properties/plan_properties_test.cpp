@@ -14,8 +14,7 @@
 #include "tramline/geometry/tolerances.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace plan_properties_test {
+namespace tramline::plan_properties_test {
 
 using testing::base_seed;
 using testing::case_count;
@@ -299,5 +298,4 @@ TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
   });
 }
 
-}  // namespace plan_properties_test
-}  // namespace tramline
+}  // namespace tramline::plan_properties_test

@@ -9,8 +9,7 @@
 #include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace trade_off_properties_test {
+namespace tramline::trade_off_properties_test {
 
 using testing::base_seed;
 using testing::case_count;
@@ -61,5 +60,4 @@ TEST(TradeOffProperties, NothingIsDominatedAndThePlanIsNoCheaper) {
   EXPECT_GT(compared, cases / 2);
 }
 
-}  // namespace trade_off_properties_test
-}  // namespace tramline
+}  // namespace tramline::trade_off_properties_test

@@ -11,8 +11,7 @@
 
 #include "route/driven_land.h"
 
-namespace tramline {
-namespace connector_test {
+namespace tramline::connector_test {
 
 using testing::DrivenLand, testing::northwards, testing::six_metres_wide, testing::southwards;
 
@@ -139,5 +138,4 @@ TEST(Connector, SupposesNothingOfWaysThatHaveRoomWithout) {
   EXPECT_EQ(way.cost_s, on.connector.between(left, entered).cost_s);
 }
 
-}  // namespace connector_test
-}  // namespace tramline
+}  // namespace tramline::connector_test

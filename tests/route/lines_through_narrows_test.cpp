@@ -6,8 +6,7 @@
 
 #include "route/driven_land.h"
 
-namespace tramline {
-namespace lines_through_narrows_test {
+namespace tramline::lines_through_narrows_test {
 
 /// Straight from place to place.
 SteeredPath through(const std::vector<Point>& places) {
@@ -68,5 +67,4 @@ TEST_F(LinesThroughNarrows, LeadAlongTracksToo) {
   EXPECT_NEAR(length(lines.front().axle), 40, 1e-9);
 }
 
-}  // namespace lines_through_narrows_test
-}  // namespace tramline
+}  // namespace tramline::lines_through_narrows_test

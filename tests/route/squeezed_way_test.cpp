@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/route/axle/axle_path.h"
+
 namespace tramline {
 namespace {
 

@@ -8,8 +8,7 @@
 
 #include "route/driven_land.h"
 
-namespace tramline {
-namespace tour_as_driven_test {
+namespace tramline::tour_as_driven_test {
 
 using testing::DrivenLand, testing::northwards;
 
@@ -104,5 +103,4 @@ TEST(KnownCosts, PreferAWayFromTheLastLineThatMayHaveRoomToOneThatHasNone) {
   EXPECT_LT(costs.at_finish(1), costs.between(1, 2));
 }
 
-}  // namespace tour_as_driven_test
-}  // namespace tramline
+}  // namespace tramline::tour_as_driven_test

@@ -12,8 +12,7 @@
 #include "tramline/model/objective.h"
 #include "tramline/tracks/laid_pieces.h"
 
-namespace tramline {
-namespace curved_tracks_test {
+namespace tramline::curved_tracks_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 3;
@@ -143,5 +142,4 @@ TEST(TracksOver, AreThoseThatReachPlacesOfTheBox) {
   }
 }
 
-}  // namespace curved_tracks_test
-}  // namespace tramline
+}  // namespace tramline::curved_tracks_test

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tramline {
-namespace laid_pieces_test {
+namespace tramline::laid_pieces_test {
 
 constexpr double kWidth = 3;
 
@@ -182,5 +181,4 @@ TEST(PassableObstacles, DoNotExcuseAnObstacleInTheGap) {
   EXPECT_TRUE(tracks.pieces[1].stop_at_from);
 }
 
-}  // namespace laid_pieces_test
-}  // namespace tramline
+}  // namespace tramline::laid_pieces_test

@@ -12,8 +12,7 @@
 #include "tramline/tracks/laid_pieces.h"
 #include "tramline/tracks/straight_tracks.h"
 
-namespace tramline {
-namespace zhou_tracks_test {
+namespace tramline::zhou_tracks_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -134,5 +133,4 @@ TEST(RecursiveTracks, OfAStraightLineAreStraightStrips) {
   EXPECT_GT(compared, 1000);
 }
 
-}  // namespace zhou_tracks_test
-}  // namespace tramline
+}  // namespace tramline::zhou_tracks_test

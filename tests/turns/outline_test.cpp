@@ -12,8 +12,7 @@
 #include "tramline/turns/outline/swept_outline.h"
 #include "tramline/turns/outline/swept_reach.h"
 
-namespace tramline {
-namespace outline_test {
+namespace tramline::outline_test {
 
 constexpr double kPi = std::numbers::pi;
 const Pose kOrigin{{0, 0}, Heading::clockwise_from_north(Angle::degrees(0))};
@@ -224,5 +223,4 @@ TEST(EvenMotion, OfAClothoidIsWithinItsBounds) {
   EXPECT_GT(worst, 0.5) << "the bound is far from what it bounds";
 }
 
-}  // namespace outline_test
-}  // namespace tramline
+}  // namespace tramline::outline_test

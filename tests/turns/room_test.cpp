@@ -10,8 +10,7 @@
 #include "tramline/turns/room/part_sweep.h"
 #include "tramline/turns/room/places_off.h"
 
-namespace tramline {
-namespace room_test {
+namespace tramline::room_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 6;
@@ -237,5 +236,4 @@ TEST(PlacesOff, AreThoseBeyondTheEdges) {
   EXPECT_TRUE(places_off(land.edges(), joined(kNorthwards, {{2.5, 0}}), outline_of(bar(4)), 0.1).empty());
 }
 
-}  // namespace room_test
-}  // namespace tramline
+}  // namespace tramline::room_test

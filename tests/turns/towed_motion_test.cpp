@@ -10,8 +10,7 @@
 #include "tramline/turns/outline/run_in.h"
 #include "tramline/turns/outline/swept_reach.h"
 
-namespace tramline {
-namespace towed_motion_test {
+namespace tramline::towed_motion_test {
 
 constexpr double kPi = std::numbers::pi;
 const Pose kNorthwards{{0, 0}, Heading::clockwise_from_north(Angle::degrees(0))};
@@ -190,5 +189,4 @@ TEST(RunIn, AfterAPathIsThatOfItsLastAngle) {
   EXPECT_NEAR(std::abs(lateral_error_m(path, outline, way)), 0.05, 1e-12);
 }
 
-}  // namespace towed_motion_test
-}  // namespace tramline
+}  // namespace tramline::towed_motion_test

@@ -5,8 +5,7 @@
 #include "avoidance/pole_field.h"
 #include "tramline/avoidance/least_cost_with_detours.h"
 
-namespace tramline {
-namespace detour_decisions_test {
+namespace tramline::detour_decisions_test {
 
 using namespace testing_poles;
 
@@ -57,5 +56,4 @@ TEST(DetourDecisions, ForgetWhatWasChosenBefore) {
   }
 }
 
-}  // namespace detour_decisions_test
-}  // namespace tramline
+}  // namespace tramline::detour_decisions_test

@@ -14,8 +14,7 @@
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 
-namespace tramline {
-namespace track_choice_test {
+namespace tramline::track_choice_test {
 
 using testing_poles::rectangle;
 
@@ -201,5 +200,4 @@ TEST(TrackChoice, AmongEqualsHasFewerCuts) {
   EXPECT_EQ(choice->detours.size(), 1u);
 }
 
-}  // namespace track_choice_test
-}  // namespace tramline
+}  // namespace tramline::track_choice_test

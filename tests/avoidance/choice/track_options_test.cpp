@@ -11,8 +11,7 @@
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 
-namespace tramline {
-namespace track_options_test {
+namespace tramline::track_options_test {
 
 using testing_poles::PoleField;
 using testing_poles::rectangle;
@@ -192,5 +191,4 @@ TEST_F(ValuedOptions, AreFarTooExpensiveFromThreeTimesTheCutsOn) {
   EXPECT_FALSE(can_be_pruned(blocked_.options[0], terms, field_.task().families, ground_));
 }
 
-}  // namespace track_options_test
-}  // namespace tramline
+}  // namespace tramline::track_options_test

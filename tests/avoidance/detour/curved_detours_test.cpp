@@ -16,8 +16,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/curved_tracks.h"
 
-namespace tramline {
-namespace curved_detours_test {
+namespace tramline::curved_detours_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -303,5 +302,4 @@ TEST(CurvedTracksAndPassables, AreCrossed) {
   EXPECT_TRUE(encounters_in(laid.task(), laid_out).empty());
 }
 
-}  // namespace curved_detours_test
-}  // namespace tramline
+}  // namespace tramline::curved_detours_test

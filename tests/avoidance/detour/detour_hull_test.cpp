@@ -9,8 +9,7 @@
 
 #include "properties/seeds.h"
 
-namespace tramline {
-namespace detour_hull_test {
+namespace tramline::detour_hull_test {
 
 std::vector<KeepOut> random_discs(std::mt19937_64& random, int count) {
   std::uniform_real_distribution<double> along(-20, 20), off(-4, 4), radius(0.2, 5);
@@ -137,5 +136,4 @@ TEST(DetourHull, AWideArcComesInTwoParts) {
   EXPECT_NEAR(turning(path[1]) + turning(path[2]), -2 * turn, 1e-9);
 }
 
-}  // namespace detour_hull_test
-}  // namespace tramline
+}  // namespace tramline::detour_hull_test

@@ -14,8 +14,7 @@
 #include "properties/seeds.h"
 #include "tramline/avoidance/obstacles/hazards.h"
 
-namespace tramline {
-namespace detour_path_test {
+namespace tramline::detour_path_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -369,5 +368,4 @@ TEST(CircleOf, FewCornersCornersAndHalvesAreNoCircles) {
   EXPECT_FALSE(circle_of(cut));
 }
 
-}  // namespace detour_path_test
-}  // namespace tramline
+}  // namespace tramline::detour_path_test

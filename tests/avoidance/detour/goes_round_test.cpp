@@ -10,8 +10,7 @@
 #include "tramline/avoidance/detour/detour_frame.h"
 #include "tramline/avoidance/detour/detour_path.h"
 
-namespace tramline {
-namespace goes_round_test {
+namespace tramline::goes_round_test {
 
 Ring box(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
@@ -58,5 +57,4 @@ TEST(GoesRound, MirroredToTheRight) {
   EXPECT_FALSE(goes_round(right, box(8, 45, 9, 46)));
 }
 
-}  // namespace goes_round_test
-}  // namespace tramline
+}  // namespace tramline::goes_round_test

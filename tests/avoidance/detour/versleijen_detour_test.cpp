@@ -11,8 +11,7 @@
 #include "geometry/random_shapes.h"
 #include "tramline/avoidance/detour/detour_frame.h"
 
-namespace tramline {
-namespace versleijen_detour_test {
+namespace tramline::versleijen_detour_test {
 
 using namespace testing_poles;
 
@@ -308,5 +307,4 @@ TEST(VersleijenDetour, IsRefusedWhereItEntersPassableLand) {
       << "on the other side";
 }
 
-}  // namespace versleijen_detour_test
-}  // namespace tramline
+}  // namespace tramline::versleijen_detour_test

@@ -10,8 +10,7 @@
 #include "properties/seeds.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace bridge_test {
+namespace tramline::bridge_test {
 
 using testing_poles::rectangle;
 
@@ -108,5 +107,4 @@ TEST(Bridge, JoinsAllThatIsNearAndNothingElse) {
   }
 }
 
-}  // namespace bridge_test
-}  // namespace tramline
+}  // namespace tramline::bridge_test

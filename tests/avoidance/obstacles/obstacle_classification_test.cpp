@@ -10,8 +10,7 @@
 #include "tramline/avoidance/obstacles/clusters.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace obstacle_classification_test {
+namespace tramline::obstacle_classification_test {
 
 constexpr double kWidth = 3;
 
@@ -159,5 +158,4 @@ TEST(PassableObstacles, AreTakenOutOfTheBodyButStayPlannable) {
   EXPECT_TRUE(ground.hard.empty());
 }
 
-}  // namespace obstacle_classification_test
-}  // namespace tramline
+}  // namespace tramline::obstacle_classification_test

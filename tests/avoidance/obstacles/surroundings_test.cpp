@@ -8,8 +8,7 @@
 
 #include "avoidance/pole_field.h"
 
-namespace tramline {
-namespace surroundings_test {
+namespace tramline::surroundings_test {
 
 using testing_poles::rectangle;
 
@@ -103,5 +102,4 @@ TEST(Surroundings, LieInThePlaneOfTheTracks) {
   EXPECT_EQ(around.boundary, EdgeKind::kHard);
 }
 
-}  // namespace surroundings_test
-}  // namespace tramline
+}  // namespace tramline::surroundings_test

@@ -12,8 +12,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace planned_detours_test {
+namespace tramline::planned_detours_test {
 
 /// 120 × 90 m with a mast of 1.2 m radius, 64 corners, on the line of the eleventh track of 3 m.
 Plan round_a_mast(Avoidance avoid, double radius_m, double room_m = -1) {
@@ -141,5 +140,4 @@ TEST(PlannedPlans, KeepTheClearanceBehindAHeadland) {
   EXPECT_LT(nearest_m, kClear_m + 0.2 * kWidth_m) << "some track runs on";
 }
 
-}  // namespace planned_detours_test
-}  // namespace tramline
+}  // namespace tramline::planned_detours_test

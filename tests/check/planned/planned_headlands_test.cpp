@@ -13,8 +13,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace planned_headlands_test {
+namespace tramline::planned_headlands_test {
 
 /// 300 × 200 m with two passes along its western and eastern sides, where the tracks turn.
 Plan plan_with_turning_sides() {
@@ -146,5 +145,4 @@ TEST(PlannedPlans, WithPlainHeadlandsHold) {
   EXPECT_TRUE(finds(check::Rule::kParallel)) << "the line is not the side of the envelope";
 }
 
-}  // namespace planned_headlands_test
-}  // namespace tramline
+}  // namespace tramline::planned_headlands_test

@@ -16,8 +16,7 @@
 #include "tramline/model/limits.h"
 #include "tramline/planner/plan_field.h"
 
-namespace tramline {
-namespace planned_plans_test {
+namespace tramline::planned_plans_test {
 
 using testing::case_count;
 
@@ -191,5 +190,4 @@ TEST(PlannedPlans, WithKinksHoldAndAreFoundUndrivable) {
     EXPECT_EQ(each.rule, check::Rule::kDrivable) << each.what;
 }
 
-}  // namespace planned_plans_test
-}  // namespace tramline
+}  // namespace tramline::planned_plans_test

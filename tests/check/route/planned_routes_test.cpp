@@ -48,7 +48,7 @@ Machine machine(double width_m, double radius_m) {
 
 /// Plans the route, of which all holds, and returns the plan.
 Plan expect_route_holds(const Field& field, const Machine& of, const PlanSettings& settings) {
-  const Plan plan = plan_field(field, of, {}, settings);
+  Plan plan = plan_field(field, of, {}, settings);
   EXPECT_TRUE(plan.route.planned());
   const check::Verdict verdict = check::verify(plan);
   EXPECT_TRUE(verdict.complete);
@@ -302,7 +302,7 @@ TEST(PlannedRoutes, say_into_how_many_parts_the_land_falls) {
 
   Plan whole = plan_field(with_lane(8), machine(6, 6), {}, settings);
   EXPECT_EQ(found(whole), "");
-  whole.warnings.push_back("the land falls into 2 parts");
+  whole.warnings.emplace_back("the land falls into 2 parts");
   EXPECT_NE(found(whole).find("without cause"), std::string::npos) << found(whole);
 }
 

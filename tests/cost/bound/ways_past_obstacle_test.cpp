@@ -10,8 +10,7 @@
 
 #include "properties/seeds.h"
 
-namespace tramline {
-namespace ways_past_obstacle_test {
+namespace tramline::ways_past_obstacle_test {
 
 constexpr double kWidth_m = 3, kArc_m = 6, kOuter_m = kArc_m + 0.5 * kWidth_m;
 constexpr double kDear = 1e6;
@@ -94,5 +93,4 @@ TEST(WaysPastObstacle, ChargeNothingForAStripThatMayBeFree) {
   EXPECT_GE(least_cost_past(terms(ring), strips), 0.75 * 2 * corner_m2);
 }
 
-}  // namespace ways_past_obstacle_test
-}  // namespace tramline
+}  // namespace tramline::ways_past_obstacle_test

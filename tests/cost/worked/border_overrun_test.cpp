@@ -11,8 +11,7 @@
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 
-namespace tramline {
-namespace border_overrun_test {
+namespace tramline::border_overrun_test {
 
 constexpr double kWidth = 3;
 
@@ -128,5 +127,4 @@ TEST(BorderOverrun, OfCurvesIsThatOfBooleans) {
   });
 }
 
-}  // namespace border_overrun_test
-}  // namespace tramline
+}  // namespace tramline::border_overrun_test

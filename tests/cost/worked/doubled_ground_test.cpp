@@ -6,8 +6,7 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace doubled_ground_test {
+namespace tramline::doubled_ground_test {
 
 constexpr double kWidth = 4;
 // Arcs are drawn with chords half a centimetre off at most, over some 20 m of them.
@@ -82,5 +81,4 @@ TEST(DoubledGround, OfTwoSubfieldsAlongDifferentCurves) {
               kChords_m2);
 }
 
-}  // namespace doubled_ground_test
-}  // namespace tramline
+}  // namespace tramline::doubled_ground_test

@@ -4,8 +4,7 @@
 
 #include "tramline/geometry/path/kinked_line.h"
 
-namespace tramline {
-namespace kinked_overlap_test {
+namespace tramline::kinked_overlap_test {
 
 const Region kPlenty{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
 
@@ -49,5 +48,4 @@ TEST(KinkedOverlap, KnowsStraightPieces) {
   EXPECT_NEAR(overlap_by_kinked_piece(body, {{{-1, 7.5}, {10, 7.5}}}, 2)[0], 22 - 15, 1e-9);
 }
 
-}  // namespace kinked_overlap_test
-}  // namespace tramline
+}  // namespace tramline::kinked_overlap_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tramline {
-namespace piece_overlap_test {
+namespace tramline::piece_overlap_test {
 
 const Direction kEast = Direction::along({0, 0}, {1, 0});
 const Direction kNorth = Direction::along({0, 0}, {0, 1});
@@ -181,5 +180,4 @@ TEST(PieceOverlap, OfACurveBeyondItsSubfieldGoesToTheLaterOneToo) {
   EXPECT_NEAR(back[1], 8, 1e-9);
 }
 
-}  // namespace piece_overlap_test
-}  // namespace tramline
+}  // namespace tramline::piece_overlap_test

@@ -13,8 +13,7 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
 
-namespace tramline {
-namespace swath_union_test {
+namespace tramline::swath_union_test {
 
 constexpr double kWidth = 4;
 
@@ -116,5 +115,4 @@ TEST(BandOnCircles, HasTheSameVerticesOnArcsOfOneCircle) {
   EXPECT_NEAR(signed_area(one), std::numbers::pi / 4 * (144 - 64), 10 * std::numbers::pi * 1e-3);
 }
 
-}  // namespace swath_union_test
-}  // namespace tramline
+}  // namespace tramline::swath_union_test

@@ -12,8 +12,7 @@
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 
-namespace tramline {
-namespace worked_ground_test {
+namespace tramline::worked_ground_test {
 
 constexpr double kWidth = 3;
 constexpr EndCriterion kCover{false, kWidthTolerance};
@@ -138,5 +137,4 @@ TEST(WorkedGround, IsWhatPolygonBooleansFindWhateverTheFamilies) {
   EXPECT_GT(met, 20) << "scenes that say nothing";
 }
 
-}  // namespace worked_ground_test
-}  // namespace tramline
+}  // namespace tramline::worked_ground_test

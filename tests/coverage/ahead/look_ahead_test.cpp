@@ -15,8 +15,7 @@
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 
-namespace tramline {
-namespace look_ahead_test {
+namespace tramline::look_ahead_test {
 
 using coverage::look_ahead;
 using coverage::Motion;
@@ -327,5 +326,4 @@ TEST(LookAheadProperties, SwitchesAreThoseOfASimulatedDrive) {
   EXPECT_GT(kept, testing::case_count(300) / 4);
 }
 
-}  // namespace look_ahead_test
-}  // namespace tramline
+}  // namespace tramline::look_ahead_test

@@ -17,8 +17,7 @@
 #include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace tile_coverage_properties_test {
+namespace tramline::tile_coverage_properties_test {
 
 using coverage::TileCoverage;
 using coverage::WorkedStep;
@@ -261,5 +260,4 @@ TEST(TileCoverageProperties, ChangesAddUp) {
   });
 }
 
-}  // namespace tile_coverage_properties_test
-}  // namespace tramline
+}  // namespace tramline::tile_coverage_properties_test

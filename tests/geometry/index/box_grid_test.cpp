@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace box_grid_test {
+namespace tramline::box_grid_test {
 
 using testing::RandomCase;
 
@@ -101,5 +100,4 @@ TEST(BoxGrid, OfNoBoxesVisitsNone) {
   EXPECT_TRUE(visited(BoxGrid(std::vector<Box>{}), {-1, -1, 1, 1}).empty());
 }
 
-}  // namespace box_grid_test
-}  // namespace tramline
+}  // namespace tramline::box_grid_test

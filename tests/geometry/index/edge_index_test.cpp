@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace edge_index_test {
+namespace tramline::edge_index_test {
 
 using testing::RandomCase;
 
@@ -74,5 +73,4 @@ TEST(EdgeIndex, ContainsPointsLevelWithCorners) {
   EXPECT_FALSE(diamond.contains({11, 5}));
 }
 
-}  // namespace edge_index_test
-}  // namespace tramline
+}  // namespace tramline::edge_index_test

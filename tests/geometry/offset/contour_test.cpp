@@ -5,8 +5,7 @@
 #include "geometry/drivable.h"
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace contour_test {
+namespace tramline::contour_test {
 
 using testing::RandomCase;
 
@@ -168,5 +167,4 @@ TEST(Contour, KeepsAwayWhereNoSegmentIsNearer) {
   EXPECT_GT(away, 2000);
 }
 
-}  // namespace contour_test
-}  // namespace tramline
+}  // namespace tramline::contour_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace offset_curve_test {
+namespace tramline::offset_curve_test {
 
 using testing::RandomCase;
 
@@ -172,5 +171,4 @@ TEST(OffsetCurveMeetings, AreWhereTheirChordsCross) {
   EXPECT_GT(met, 40);
 }
 
-}  // namespace offset_curve_test
-}  // namespace tramline
+}  // namespace tramline::offset_curve_test

@@ -5,8 +5,7 @@
 #include "geometry/random_shapes.h"
 #include "tramline/geometry/path/smoothed_line.h"
 
-namespace tramline {
-namespace offset_front_test {
+namespace tramline::offset_front_test {
 
 using testing::RandomCase;
 
@@ -131,5 +130,4 @@ TEST(OffsetFront, OfBothSidesHoldsThatOfEach) {
   }
 }
 
-}  // namespace offset_front_test
-}  // namespace tramline
+}  // namespace tramline::offset_front_test

@@ -7,8 +7,7 @@
 
 #include "tramline/geometry/polygon/smallest_disc.h"
 
-namespace tramline {
-namespace offset_rings_test {
+namespace tramline::offset_rings_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -96,5 +95,4 @@ TEST(SmallestDisc, TouchesTwoOrThree) {
   EXPECT_EQ(smallest_disc({{3, 4}}).radius_m, 0);
 }
 
-}  // namespace offset_rings_test
-}  // namespace tramline
+}  // namespace tramline::offset_rings_test

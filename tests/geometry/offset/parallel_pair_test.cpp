@@ -6,8 +6,7 @@
 
 #include "tramline/geometry/path/smoothed_line.h"
 
-namespace tramline {
-namespace parallel_pair_test {
+namespace tramline::parallel_pair_test {
 
 constexpr double kLeg = 200;
 
@@ -102,5 +101,4 @@ TEST(ParallelPair, SkipsBendsThatAreTooTight) {
   expect_intervals(parallel_pair(contour, 24.1, limits, Sides::kRight).stretches, {{0, contour.right_end()}});
 }
 
-}  // namespace parallel_pair_test
-}  // namespace tramline
+}  // namespace tramline::parallel_pair_test

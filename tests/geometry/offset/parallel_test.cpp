@@ -10,8 +10,7 @@
 #include "tramline/geometry/path/smoothed_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace parallel_test {
+namespace tramline::parallel_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -204,5 +203,4 @@ TEST(Parallel, FamilyIsWhatTheTracksAreOneByOne) {
   }
 }
 
-}  // namespace parallel_test
-}  // namespace tramline
+}  // namespace tramline::parallel_test

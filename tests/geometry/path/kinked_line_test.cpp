@@ -9,8 +9,7 @@
 #include "tramline/geometry/path/kinked_offset.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace kinked_line_test {
+namespace tramline::kinked_line_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -134,5 +133,4 @@ TEST(KinkedLine, CellsAreAsLargeAsTheirPartsOfTheTrackAreLong) {
   }
 }
 
-}  // namespace kinked_line_test
-}  // namespace tramline
+}  // namespace tramline::kinked_line_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace line_crossing_test {
+namespace tramline::line_crossing_test {
 
 using testing::RandomCase;
 using Edges = std::pair<std::size_t, std::size_t>;
@@ -90,5 +89,4 @@ TEST(CrossingAlong, IsNoneWhereTheSegmentsMiss) {
   EXPECT_EQ(crossing_along({0, 0}, {8, 0}, {2, 0}, {5, 0}), std::nullopt) << "along it";
 }
 
-}  // namespace line_crossing_test
-}  // namespace tramline
+}  // namespace tramline::line_crossing_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace measured_path_test {
+namespace tramline::measured_path_test {
 
 using testing::RandomCase;
 
@@ -76,5 +75,4 @@ TEST(MeasuredPath, GoesOnByAsMuchAsIsAskedFor) {
   }
 }
 
-}  // namespace measured_path_test
-}  // namespace tramline
+}  // namespace tramline::measured_path_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace merged_kinks_test {
+namespace tramline::merged_kinks_test {
 
 using testing::RandomCase;
 
@@ -124,5 +123,4 @@ TEST(MergedKinks, HasRoomForAllArcsOrAHairpin) {
   EXPECT_GT(hairpins, 10);
 }
 
-}  // namespace merged_kinks_test
-}  // namespace tramline
+}  // namespace tramline::merged_kinks_test

@@ -7,8 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace tramline {
-namespace newly_covered_area_test {
+namespace tramline::newly_covered_area_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -293,5 +292,4 @@ TEST(LayeredArea, PutsUpWithDegenerateShapes) {
   EXPECT_NEAR(newly_covered_area(curves), 8, 1e-12);
 }
 
-}  // namespace newly_covered_area_test
-}  // namespace tramline
+}  // namespace tramline::newly_covered_area_test

@@ -8,8 +8,7 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace path_test {
+namespace tramline::path_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -127,5 +126,4 @@ TEST(Path, ABandRoundCornersAsTightAsItselfIsARing) {
   }
 }
 
-}  // namespace path_test
-}  // namespace tramline
+}  // namespace tramline::path_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace segment_frame_test {
+namespace tramline::segment_frame_test {
 
 using testing::RandomCase;
 
@@ -94,5 +93,4 @@ TEST(SegmentFrame, FindsBackToTheField) {
   }
 }
 
-}  // namespace segment_frame_test
-}  // namespace tramline
+}  // namespace tramline::segment_frame_test

@@ -9,8 +9,7 @@
 #include "geometry/drivable.h"
 #include "tramline/geometry/error.h"
 
-namespace tramline {
-namespace smoothed_line_test {
+namespace tramline::smoothed_line_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 6;
@@ -121,5 +120,4 @@ TEST(Smoothed, SaysWhatIsWrongWithTheLine) {
   EXPECT_NE(complaint_about({{0, 0}, {100, 0}, {100, 5}, {0, 5}}).find("vertex "), std::string::npos);
 }
 
-}  // namespace smoothed_line_test
-}  // namespace tramline
+}  // namespace tramline::smoothed_line_test

@@ -9,8 +9,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace boolean_test {
+namespace tramline::boolean_test {
 
 Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
@@ -140,5 +139,4 @@ TEST(Booleans, LengthInside) {
   EXPECT_NEAR(length_inside({square}, {-5, 5}, {15, 5}), 8, 1e-12);
 }
 
-}  // namespace boolean_test
-}  // namespace tramline
+}  // namespace tramline::boolean_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tramline {
-namespace convex_clip_test {
+namespace tramline::convex_clip_test {
 
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 ConvexSet set(double x0, double y0, double x1, double y1) { return convex_set(box(x0, y0, x1, y1)); }
@@ -30,5 +29,4 @@ TEST(ConvexClip, UnionsByInclusionAndExclusion) {
   EXPECT_NEAR(area_in_union(square, {set(9, 9, 12, 12)}), 1, 1e-12);
 }
 
-}  // namespace convex_clip_test
-}  // namespace tramline
+}  // namespace tramline::convex_clip_test

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace tramline {
-namespace faces_test {
+namespace tramline::faces_test {
 
 Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
@@ -67,5 +66,4 @@ TEST(Dissolved, CellsThatTouchInAPointStayApart) {
   EXPECT_EQ(dissolved({box(0, 0, 1, 1), box(1, 1, 2, 2)}).size(), 2u);
 }
 
-}  // namespace faces_test
-}  // namespace tramline
+}  // namespace tramline::faces_test

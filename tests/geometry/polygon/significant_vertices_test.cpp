@@ -5,8 +5,7 @@
 #include "geometry/random_shapes.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace significant_vertices_test {
+namespace tramline::significant_vertices_test {
 
 using testing::RandomCase;
 using Indices = std::vector<std::size_t>;
@@ -83,5 +82,4 @@ TEST(Simplified, IsThePolygonItselfWhereFewerVerticesWouldCross) {
   EXPECT_EQ(simplified(polygon, 0.5), polygon);
 }
 
-}  // namespace significant_vertices_test
-}  // namespace tramline
+}  // namespace tramline::significant_vertices_test

@@ -7,8 +7,7 @@
 
 #include "tramline/geometry/path/path_between.h"
 
-namespace tramline {
-namespace path_profile_test {
+namespace tramline::path_profile_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -91,5 +90,4 @@ TEST(PathProfile, CutsPathsBetweenPositions) {
   EXPECT_EQ(path_between(path, 0, length(path)), path);
 }
 
-}  // namespace path_profile_test
-}  // namespace tramline
+}  // namespace tramline::path_profile_test

@@ -4,8 +4,7 @@
 
 #include "geometry/profile/section_cases.h"
 
-namespace tramline {
-namespace section_parts_test {
+namespace tramline::section_parts_test {
 
 using testing::Meeting;
 using testing::RandomCase;
@@ -155,5 +154,4 @@ TEST(RightEnds, CrossTheBoundaryWhereTheyEnterAndLeave) {
   EXPECT_GT(crossed, 300);
 }
 
-}  // namespace section_parts_test
-}  // namespace tramline
+}  // namespace tramline::section_parts_test

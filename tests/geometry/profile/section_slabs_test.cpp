@@ -5,8 +5,7 @@
 #include "geometry/profile/section_cases.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace section_slabs_test {
+namespace tramline::section_slabs_test {
 
 using testing::Meeting;
 using testing::RandomCase;
@@ -141,5 +140,4 @@ TEST(SectionSlabs, GoOnFromTheSegmentBefore) {
   }
 }
 
-}  // namespace section_slabs_test
-}  // namespace tramline
+}  // namespace tramline::section_slabs_test

@@ -5,8 +5,7 @@
 #include "geometry/random_shapes.h"
 #include "tramline/geometry/polygon/boolean.h"
 
-namespace tramline {
-namespace strip_fold_test {
+namespace tramline::strip_fold_test {
 
 using testing::RandomCase;
 
@@ -145,5 +144,4 @@ TEST(StripFold, TakesRegionsAndRingsAlikeAndForgetsTheFoldBefore) {
   }
 }
 
-}  // namespace strip_fold_test
-}  // namespace tramline
+}  // namespace tramline::strip_fold_test

@@ -4,8 +4,7 @@
 
 #include "geometry/random_shapes.h"
 
-namespace tramline {
-namespace strip_grid_test {
+namespace tramline::strip_grid_test {
 
 using testing::RandomCase;
 
@@ -79,5 +78,4 @@ TEST(StripsOver, OverlapTheBoxByMoreThanTheSlack) {
   }
 }
 
-}  // namespace strip_grid_test
-}  // namespace tramline
+}  // namespace tramline::strip_grid_test

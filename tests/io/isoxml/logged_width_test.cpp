@@ -11,8 +11,7 @@
 #include "tramline/io/isoxml/device_tree.h"
 #include "tramline/io/isoxml/time_log.h"
 
-namespace tramline::io {
-namespace logged_width_test {
+namespace tramline::io::logged_width_test {
 
 using testing_logs::header;
 using testing_logs::record;
@@ -263,5 +262,4 @@ TEST(LoggedWidth, ElementsThatContainOneAnotherInACircle) {
   EXPECT_EQ(log.booms.at(static_cast<std::size_t>(log.fixes[0].boom)), (Boom{{2, -2}}));
 }
 
-}  // namespace logged_width_test
-}  // namespace tramline::io
+}  // namespace tramline::io::logged_width_test

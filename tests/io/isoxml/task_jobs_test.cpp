@@ -15,8 +15,7 @@
 #include "tramline/io/isoxml/read_task_log.h"
 #include "tramline/io/log/read_log.h"
 
-namespace tramline {
-namespace task_jobs_test {
+namespace tramline::task_jobs_test {
 
 using namespace io;
 using testing_logs::header;
@@ -134,5 +133,4 @@ TEST_F(TaskJobs, TracksOfAGpxFileFarApartAreJobs) {
   EXPECT_EQ(read_log(file).fixes.size(), 15U);
 }
 
-}  // namespace task_jobs_test
-}  // namespace tramline
+}  // namespace tramline::task_jobs_test

@@ -16,8 +16,7 @@
 #include "tramline/io/isoxml/task_files.h"
 #include "tramline/io/log/read_log.h"
 
-namespace tramline {
-namespace task_set_test {
+namespace tramline::task_set_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -215,5 +214,4 @@ TEST_F(TaskSet, PartfieldsThatCannotBeReadAreTold) {
   EXPECT_REFUSED(read_partfields(path("TASKDATA.XML")));
 }
 
-}  // namespace task_set_test
-}  // namespace tramline
+}  // namespace tramline::task_set_test

@@ -12,8 +12,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/isoxml/time_log.h"
 
-namespace tramline::io {
-namespace time_log_test {
+namespace tramline::io::time_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -284,5 +283,4 @@ TEST(TimeLog, TheDeviceThatTellsMoreCounts) {
   EXPECT_TRUE(mentions(log.notes[0], "DVC-1"));
 }
 
-}  // namespace time_log_test
-}  // namespace tramline::io
+}  // namespace tramline::io::time_log_test

@@ -6,8 +6,7 @@
 #include "support/refusals.h"
 #include "tramline/io/land/read_fields.h"
 
-namespace tramline::io {
-namespace guides_test {
+namespace tramline::io::guides_test {
 
 using testing_land::pattern;
 using testing_land::task_set;
@@ -141,5 +140,4 @@ TEST_F(Guides, ShapefilesWithTheirOwnCoordinates) {
   EXPECT_TRUE(mentions(one.layers[0].crs, "25832") || mentions(one.layers[0].crs, "zone 32N"));
 }
 
-}  // namespace guides_test
-}  // namespace tramline::io
+}  // namespace tramline::io::guides_test

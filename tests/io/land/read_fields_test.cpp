@@ -7,8 +7,7 @@
 #include "io/land/small_files.h"
 #include "support/refusals.h"
 
-namespace tramline::io {
-namespace read_fields_test {
+namespace tramline::io::read_fields_test {
 
 using testing_land::ring;
 using testing_land::task_set;
@@ -104,5 +103,4 @@ TEST_F(ReadFields, OtherFilesAreReadAsTheyAre) {
   EXPECT_EQ(read_fields(query).driver, "GeoJSON");
 }
 
-}  // namespace read_fields_test
-}  // namespace tramline::io
+}  // namespace tramline::io::read_fields_test

@@ -11,8 +11,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/most_fixes.h"
 
-namespace tramline::io {
-namespace csv_log_test {
+namespace tramline::io::csv_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -299,5 +298,4 @@ TEST(MostFixes, OneMoreIsRefusedWithTheFigure) {
   }
 }
 
-}  // namespace csv_log_test
-}  // namespace tramline::io
+}  // namespace tramline::io::csv_log_test

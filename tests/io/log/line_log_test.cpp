@@ -12,8 +12,7 @@
 #include "io/vector/files.h"
 #include "tramline/geometry/error.h"
 
-namespace tramline::io {
-namespace line_log_test {
+namespace tramline::io::line_log_test {
 
 class LineLogs : public testing_files::Files {
  protected:
@@ -165,5 +164,4 @@ TEST_F(LineLogs, WhatIsNeitherIsRefused) {
   });
 }
 
-}  // namespace line_log_test
-}  // namespace tramline::io
+}  // namespace tramline::io::line_log_test

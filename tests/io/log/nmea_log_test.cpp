@@ -11,8 +11,7 @@
 
 #include "tramline/geometry/error.h"
 
-namespace tramline::io {
-namespace nmea_log_test {
+namespace tramline::io::nmea_log_test {
 
 // The examples that most descriptions of NMEA 0183 give, with their checksums.
 const std::string kGga = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47";
@@ -179,5 +178,4 @@ TEST(NmeaLog, AFileWithoutPositionsIsRefused) {
   }
 }
 
-}  // namespace nmea_log_test
-}  // namespace tramline::io
+}  // namespace tramline::io::nmea_log_test

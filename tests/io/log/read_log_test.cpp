@@ -14,8 +14,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/lines.h"
 
-namespace tramline {
-namespace read_log_test {
+namespace tramline::read_log_test {
 
 using testing_support::mentions;
 using testing_support::refusal_of;
@@ -137,5 +136,4 @@ TEST_F(ReadLog, OtherFilesAreOneLog) {
   EXPECT_EQ(logs[0].name, "");
 }
 
-}  // namespace read_log_test
-}  // namespace tramline
+}  // namespace tramline::read_log_test

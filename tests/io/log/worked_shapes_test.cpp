@@ -13,8 +13,7 @@
 #include "tramline/io/log/read_log.h"
 #include "tramline/io/log/work_word.h"
 
-namespace tramline {
-namespace worked_shapes_test {
+namespace tramline::worked_shapes_test {
 
 using namespace io;
 using testing_support::mentions;
@@ -135,5 +134,4 @@ TEST(ColumnUnits, CountersOfTables) {
   EXPECT_FALSE(table("lon,lat,total_area_ha\n10,52,5\n10,52,5\n").counters.any());
 }
 
-}  // namespace worked_shapes_test
-}  // namespace tramline
+}  // namespace tramline::worked_shapes_test

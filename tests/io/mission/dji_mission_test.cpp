@@ -15,8 +15,7 @@
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/io/mission/route_texts.h"
 
-namespace tramline::io {
-namespace dji_mission_test {
+namespace tramline::io::dji_mission_test {
 
 using testing_mission::plan_with_route;
 
@@ -157,5 +156,4 @@ TEST_F(DjiMission, WaysBetweenPointsAreLongerThanTheDampingAtTheirEnds) {
   }
 }
 
-}  // namespace dji_mission_test
-}  // namespace tramline::io
+}  // namespace tramline::io::dji_mission_test

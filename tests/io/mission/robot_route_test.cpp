@@ -10,8 +10,7 @@
 #include "io/mission/small_route.h"
 #include "tramline/io/mission/route_texts.h"
 
-namespace tramline::io {
-namespace robot_route_test {
+namespace tramline::io::robot_route_test {
 
 using nlohmann::ordered_json;
 using testing_mission::plan_with_route;
@@ -127,5 +126,4 @@ TEST(RobotRoute, YamlHasTheSameInBlocks) {
             std::string::npos);
 }
 
-}  // namespace robot_route_test
-}  // namespace tramline::io
+}  // namespace tramline::io::robot_route_test

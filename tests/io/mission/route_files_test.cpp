@@ -18,8 +18,7 @@
 #include "tramline/io/mission/route_texts.h"
 #include "tramline/io/plan/write_plan.h"
 
-namespace tramline::io {
-namespace route_files_test {
+namespace tramline::io::route_files_test {
 
 using testing_mission::plan_with_route;
 using testing_support::mentions;
@@ -144,5 +143,4 @@ TEST(YamlText, NumbersHaveAPointAndTextsQuotes) {
       "small: 1.0e-05\nwhole: 2.0\ncount: 3\ntext: \"no\"\nnone: null\nempty: []\nlist:\n  - 1\n  - 2\n");
 }
 
-}  // namespace route_files_test
-}  // namespace tramline::io
+}  // namespace tramline::io::route_files_test

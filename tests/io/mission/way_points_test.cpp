@@ -12,8 +12,7 @@
 #include "tramline/io/mission/geofence.h"
 #include "tramline/io/mission/mission_items.h"
 
-namespace tramline::io {
-namespace way_points_test {
+namespace tramline::io::way_points_test {
 
 using testing_mission::plan_with_route;
 
@@ -123,5 +122,4 @@ TEST(Geofence, FallsWhereTheRoutePassesBetweenItsPoints) {
   EXPECT_EQ(fence.notes.size(), 2U);
 }
 
-}  // namespace way_points_test
-}  // namespace tramline::io
+}  // namespace tramline::io::way_points_test

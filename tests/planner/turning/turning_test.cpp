@@ -13,8 +13,7 @@
 #include "tramline/planner/plan_field.h"
 #include "tramline/route/order/skip_pattern.h"
 
-namespace tramline {
-namespace turning_test {
+namespace tramline::turning_test {
 
 Field rectangle(double width_m, double height_m) {
   Field field;
@@ -227,5 +226,4 @@ TEST_F(TurnAttack, AStopConcealedIsFound) {
                           [](const check::Violation& found) { return found.rule == check::Rule::kStops; }));
 }
 
-}  // namespace turning_test
-}  // namespace tramline
+}  // namespace tramline::turning_test

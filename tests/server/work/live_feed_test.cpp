@@ -25,8 +25,7 @@
 #include "support/temporary_folder.h"
 #include "tramline/io/log/read_log.h"
 
-namespace tramline::server {
-namespace live_feed_test {
+namespace tramline::server::live_feed_test {
 
 using namespace testing_drives;
 using std::chrono::milliseconds;
@@ -308,5 +307,4 @@ TEST(FeedSource, AFileThatIsReplacedByALinkIsReadNoMore) {
   EXPECT_EQ(lines, std::vector<std::string>{"first"});
 }
 
-}  // namespace live_feed_test
-}  // namespace tramline::server
+}  // namespace tramline::server::live_feed_test

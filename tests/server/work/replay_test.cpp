@@ -19,8 +19,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/log/read_log.h"
 
-namespace tramline::server {
-namespace replay_test {
+namespace tramline::server::replay_test {
 
 using namespace testing_drives;
 using std::chrono::milliseconds;
@@ -260,5 +259,4 @@ TEST(Replay, RealLogsEndWithWhatEvaluateSays) {
   EXPECT_GE(replayed, 3);
 }
 
-}  // namespace replay_test
-}  // namespace tramline::server
+}  // namespace tramline::server::replay_test

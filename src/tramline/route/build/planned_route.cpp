@@ -233,9 +233,9 @@ class RoutePlanner {
     if (!passes.empty())
       costs.set_way_from_last([this, &lines, passes](order::End end) {
         const SteeredPath& left = lines[order::line_of(end)].left_by(end).last;
-        const Way way = nearest_pass(pass_task(passes), left).before;
+        Way way = nearest_pass(pass_task(passes), left).before;
         if (way.has_room()) return way;
-        const Way supposed = nearest_pass(pass_task(passes), connector_.come_straight_on(left)).before;
+        Way supposed = nearest_pass(pass_task(passes), connector_.come_straight_on(left)).before;
         return supposed.has_room() ? supposed : way;
       });
     std::vector<Pose> entered;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/route/axle/axle_path.h"
+
 namespace tramline {
 namespace {
 
