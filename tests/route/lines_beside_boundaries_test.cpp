@@ -79,5 +79,20 @@ TEST_F(BesideBoundaries, AreFoundOnce) {
   EXPECT_EQ(&beside.found({}, field_, ground()), first);
 }
 
+/// A bar 2 m wide keeps 1.1 m off. Those of another width are others, and the first ones stay.
+TEST_F(BesideBoundaries, AreFoundOnceForEachNarrowerMachine) {
+  const LinesBesideBoundaries beside;
+  beside.found({}, field_, ground());
+  machine_.width_m = 2;
+  const DrivingGround narrower = ground();
+  const auto* const first = &beside.round_all(field_, narrower);
+  ASSERT_EQ(first->size(), 2U);
+  const bool round_field_first = box_of(first->front().axle).min_x < 40;
+  expect_box(box_of((*first)[round_field_first ? 0 : 1].axle), {1.1, 1.1, 98.9, 58.9});
+  machine_.width_m = 1;
+  EXPECT_NE(&beside.round_all(field_, ground()), first);
+  EXPECT_EQ(&beside.round_all(field_, narrower), first);
+}
+
 }  // namespace
 }  // namespace tramline

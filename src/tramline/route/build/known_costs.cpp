@@ -15,6 +15,7 @@ constexpr double kWithoutRoom_s = 1000;
 /// A way from the last line may have room by the way on which the machine comes to that line. One without as
 /// far as is known costs so much more, s, less than any that has none for sure.
 constexpr double kDoubtful_s = 500;
+static_assert(kDoubtful_s < kWithoutRoom_s);
 /// Backing out of a dead end takes about so many radii there and back.
 constexpr double kBacking_radii = 1.5;
 

@@ -31,7 +31,7 @@ Outline outline_of(const Machine& machine);
 std::array<Point, 4> corners_of(const Box& part);
 /// Distance of the farthest corner from the origin of the part's frame, m.
 double farthest_corner_m(const Box& part);
-/// How far a part reaches to a side at most while machine and implement go straight on, m.
+/// How far the parts reach to a side at most while machine and implement go straight on, m.
 double half_breadth_m(const Outline& outline);
 
 /// Where the frame of a part is: its origin and the unit vector ahead.
