@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/route/connection/way.h"
 #include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/outline/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -31,6 +33,19 @@ Region oriented_all(const Region& region) {
   Region out;
   for (const Polygon& polygon : region) out.push_back(oriented(polygon));
   return out;
+}
+
+/// The outline less a rim: no point of the whole is farther than kNoticed_m from the land where the rest
+/// fits.
+Outline without_rim(Outline outline) {
+  const double rim_m = (kNoticed_m - kBoundedMotion_m) / std::numbers::sqrt2;
+  const auto shrink = [rim_m](Box& part) {
+    const double along_m = std::min(rim_m, part.width() / 2), across_m = std::min(rim_m, part.height() / 2);
+    part = {part.min_x + along_m, part.min_y + across_m, part.max_x - along_m, part.max_y - across_m};
+  };
+  std::ranges::for_each(outline.on_machine, shrink);
+  std::ranges::for_each(outline.on_implement, shrink);
+  return outline;
 }
 
 }  // namespace
@@ -67,7 +82,9 @@ double DrivingGround::lacking_along_m(const SteeredPath& path) const {
   else
     for (const SteeredStretch& stretch : path)
       if (!has_room_along({stretch})) missing_m = std::max(missing_m, land().missing_m({stretch}, outline_));
-  return missing_m > kNoticed_m ? missing_m : 0;
+  if (missing_m > kNoticed_m) return missing_m;
+  // It is found to kMissingRoom_m, which is coarser than what is noticed.
+  return land().fits(path, without_rim(outline_)) ? 0 : kNoticed_m;
 }
 
 double cost_seconds(const SteeredPath& path, const DrivingGround& ground, CropDriven how) {

@@ -42,8 +42,8 @@ class DrivingGround {
   /// of the land to a millimetre.
   bool has_room_along(const SteeredPath& path) const;
 
-  /// How far the outline leaves the land on a way along a pass or a track, m; 0 where it does not by more
-  /// than kNoticed_m.
+  /// How far the outline leaves the land on a way along a pass or a track, found to kMissingRoom_m, m; 0 only
+  /// where it does not by more than kNoticed_m.
   double lacking_along_m(const SteeredPath& path) const;
 
   /// The length of the path over land of the tracks, in steps of kCropStep_m, m.
