@@ -111,7 +111,8 @@ class Admitter {
   /// Those that the user means. `features` counts what is listed to choose from.
   void keep_named() {
     std::erase_if(input_.fields, [&](const Field& field) { return !is_named(field, options_.id); });
-    input_.features = static_cast<long long>(input_.fields.size() + input_.refusals.size());
+    input_.features =
+        static_cast<long long>(input_.fields.size()) + static_cast<long long>(input_.refusals.size());
   }
 
   FieldInput finish() {

@@ -88,7 +88,7 @@ DirectionWords direction_words(const std::string& text) {
     };
     if (std::any_of(out.items.begin(), out.items.end(), same))
       throw bad_input(fmt::format("--directions names '{}' twice", word));
-    out.items.push_back(std::move(item));
+    out.items.push_back(item);
   }
   return out;
 }

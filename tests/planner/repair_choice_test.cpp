@@ -93,7 +93,7 @@ double cost_of(const Scene& scene, const std::vector<RepairLine>& lines) {
     stops += line.line.stops;
   }
   const double left_m2 = left_of(gaps, swaths);
-  const double turns = static_cast<double>(lines.size());
+  const auto turns = static_cast<double>(lines.size());
   return prices.uncovered * left_m2 + prices.overlap * (worked_m2 - (gaps_m2 - left_m2)) +
          prices.turn * turns + prices.stop * stops;
 }

@@ -61,8 +61,8 @@ TEST(TourAsDriven, StaysWhereTheMachineComesStraightOn) {
   const ArmFirst scene;
   KnownCosts costs = scene.costs();
   const SteeredPath left = northwards({46.5, 80}, 26);
-  const TrackTour tour =
-      best_tour_as_driven({}, Senses::kCostTheSame, scene.lines, behind(left), scene.on.connector, costs);
+  const TrackTour tour = best_tour_as_driven({}, Senses::kCostTheSame, Patience::kUsual, scene.lines,
+                                             behind(left), scene.on.connector, costs);
   EXPECT_EQ(tour.tour.front(), 0U);
   EXPECT_TRUE(tour.ways.front().supposed);
   EXPECT_TRUE(scene.holds(tour, left));
@@ -71,11 +71,11 @@ TEST(TourAsDriven, StaysWhereTheMachineComesStraightOn) {
 TEST(TourAsDriven, IsAnotherWhereNothingWasDrivenBefore) {
   const ArmFirst scene;
   KnownCosts costs = scene.costs();
-  const TrackTour supposed = best_tour_with_ways({}, Senses::kCostTheSame, costs);
+  const TrackTour supposed = best_tour_with_ways({}, Senses::kCostTheSame, Patience::kUsual, costs);
   ASSERT_EQ(supposed.tour.front(), 0U);
   ASSERT_FALSE(scene.holds(supposed, {}));
-  const TrackTour tour =
-      best_tour_as_driven({}, Senses::kCostTheSame, scene.lines, behind({}), scene.on.connector, costs);
+  const TrackTour tour = best_tour_as_driven({}, Senses::kCostTheSame, Patience::kUsual, scene.lines,
+                                             behind({}), scene.on.connector, costs);
   EXPECT_NE(tour.tour.front(), 0U);
   EXPECT_TRUE(std::ranges::all_of(tour.ways, &Way::has_room));
   // What was refused is known to have no room from now on.

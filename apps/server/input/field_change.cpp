@@ -53,7 +53,7 @@ ObstacleKind kind_in(const JsonInput& input) {
 /// One that no obstacle has yet.
 std::string next_origin(const Field& field) {
   for (int number = 1;; ++number) {
-    const std::string origin = fmt::format("drawn {}", number);
+    std::string origin = fmt::format("drawn {}", number);
     // United obstacles carry the names of all.
     if (std::none_of(field.obstacles.begin(), field.obstacles.end(), [&](const Obstacle& obstacle) {
           return obstacle.origin.find(origin) != std::string::npos;

@@ -75,7 +75,7 @@ StoreFolder::StoreFolder(fs::path path) : path_(std::move(path)) {
 StoreFolder::~StoreFolder() { close(lock_); }
 
 fs::path StoreFolder::part(const char* name) const {
-  const fs::path out = path_ / name;
+  fs::path out = path_ / name;
   std::error_code error;
   if (!fs::is_directory(path_, error))
     throw failure(fmt::format(

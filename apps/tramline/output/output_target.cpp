@@ -70,7 +70,7 @@ std::string cause_against_folder(const fs::path& folder) {
     path /= part;
     std::error_code error;
     if (part.empty() || fs::is_directory(path, error)) continue;
-    if (const std::string cause = made.cause_against(path); !cause.empty()) return cause;
+    if (std::string cause = made.cause_against(path); !cause.empty()) return cause;
   }
   return cause_against_file(path / name_of_trial(""));
 }

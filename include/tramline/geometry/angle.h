@@ -22,7 +22,8 @@ class Angle {
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.radians_ + b.radians_); }
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.radians_ - b.radians_); }
   friend constexpr Angle operator-(Angle a) { return Angle(-a.radians_); }
-  friend constexpr auto operator<=>(Angle a, Angle b) = default;
+  // clang-tidy 14 takes the zero that results of <=> are compared with for a pointer.
+  friend constexpr auto operator<=>(Angle a, Angle b) = default;  // NOLINT(modernize-use-nullptr)
 
  private:
   explicit constexpr Angle(double radians) : radians_(radians) {}

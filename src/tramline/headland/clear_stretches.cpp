@@ -118,15 +118,17 @@ std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoun
   const double length_m = length(path);
   const Clearance clearance(path, offset_boundaries);
   if (clearance.is_clear(0, length_m)) return {path};
-  const int count = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
-  const auto at = [&](int i) { return length_m * i / count; };
+  const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length_m / step_m)));
+  const auto at = [&](std::size_t i) {
+    return length_m * static_cast<double>(i) / static_cast<double>(count);
+  };
   std::vector<char> clear;
-  for (int i = 0; i < count; ++i) clear.push_back(clearance.is_clear(at(i), at(i + 1)) ? 1 : 0);
+  for (std::size_t i = 0; i < count; ++i) clear.push_back(clearance.is_clear(at(i), at(i + 1)) ? 1 : 0);
   std::vector<std::pair<double, double>> runs;
-  for (int i = 0; i < count; ++i) {
-    if (clear[static_cast<std::size_t>(i)] == 0) continue;
-    const int first = i;
-    while (i + 1 < count && clear[static_cast<std::size_t>(i + 1)] != 0) ++i;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (clear[i] == 0) continue;
+    const std::size_t first = i;
+    while (i + 1 < count && clear[i + 1] != 0) ++i;
     runs.emplace_back(first == 0 ? 0 : clearance.end_of_clear(at(first), at(first - 1)),
                       i + 1 == count ? length_m : clearance.end_of_clear(at(i + 1), at(i + 2)));
   }

@@ -90,23 +90,15 @@ TEST(RoomLackedByOthers, IsTheLeastOfSeveralBehindAsManyPasses) {
   EXPECT_EQ(room_lacked_by_others(plans, without_room(1, 0, {})), 0);
 }
 
-ComparedPlan behind(int passes, std::size_t pieces, std::optional<double> beyond_floor) {
-  ComparedPlan out;
-  out.laid.trial.passes.edges.assign(4, passes);
-  pieces_of(out).resize(pieces);
-  out.beyond_floor = beyond_floor;
-  return out;
-}
-
-// Two fifths of 20 €; behind two passes, three tracks and what counts as two more cost 50 €, so eight and two
-// cost three fifths of 100 €.
-TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansBehindTheSamePasses) {
+// Two fifths of the least; a plan that was only told of has none.
+TEST(LeastBeyondFloor, IsAPartOfTheLeastOfAllPlans) {
   ComparedPlans plans;
-  EXPECT_EQ(least_beyond_floor(plans, behind(2, 8, {})), 0);
-  plans = {behind(2, 3, 50), behind(1, 3, 20), behind(2, 30, {})};
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 8, {})), 60);
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 8, {})), 8);
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 33, {})), 8) << "of many tracks it tells nothing";
+  EXPECT_EQ(least_beyond_floor(plans), 0);
+  plans.resize(3);
+  EXPECT_EQ(least_beyond_floor(plans), 0);
+  plans[0].beyond_floor = 50;
+  plans[2].beyond_floor = 20;
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans), 8);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using namespace testing_drives;
 using std::chrono::milliseconds;
 
 std::filesystem::path written(const testing_support::TemporaryFolder& folder, const std::string& text) {
-  const std::filesystem::path path = folder / "drive.csv";
+  std::filesystem::path path = folder / "drive.csv";
   std::ofstream(path) << text;
   return path;
 }

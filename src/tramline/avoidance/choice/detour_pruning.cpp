@@ -35,7 +35,7 @@ double free_m2(const TrackFamily& family, std::size_t family_index, const Worked
   const auto index_at = [&](double across) {
     return std::floor((across - family.grid.origin_m) / width) - first;
   };
-  const double count = static_cast<double>(family.tracks.size());
+  const auto count = static_cast<double>(family.tracks.size());
   const auto from = static_cast<std::size_t>(std::clamp(index_at(window.min_x), 0.0, count));
   const auto to = static_cast<std::size_t>(std::clamp(index_at(window.max_x) + 1, 0.0, count));
   for (std::size_t i = from; i < to; ++i) {
@@ -57,7 +57,7 @@ double length_of(const Intervals& parts) {
 /// dropped between cuts.
 double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
   const Objective& prices = terms.objective;
-  const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
+  const auto gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
   double sum = gaps * (prices.turn + 2 * prices.stop);
   for (std::size_t i = option.way.first_gap - 1; i <= option.way.last_gap; ++i) {
     const double length_m = terms.track.stretches[i].length();

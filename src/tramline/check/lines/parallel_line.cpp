@@ -154,7 +154,7 @@ std::optional<ParallelLine::Corner> ParallelLine::corner_with(Point p, double al
   // There may be several corners, with hardly anything between them.
   auto edge = nearest_that_fits(along_m, Way::kBackwards);
   while (edge) {
-    const auto corner = corner_from(*edge);
+    auto corner = corner_from(*edge);
     if (has_it(corner)) return corner;
     if (!corner || corner->to_m <= corner->from_m || corner->to_m > along_m) break;
     edge = stretch(corner->to_m, Way::kForwards).last_wide_m;

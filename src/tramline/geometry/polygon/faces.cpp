@@ -158,8 +158,10 @@ Region faces_of(std::vector<DirectedEdge> edges) {
   std::vector<Ring> holes;
   for (Ring& ring : rings) {
     const double size = signed_area(ring);
-    if (size > 0) region.push_back({std::move(ring), {}});
-    if (size < 0) holes.push_back(std::move(ring));
+    if (size > 0)
+      region.push_back({std::move(ring), {}});
+    else if (size < 0)
+      holes.push_back(std::move(ring));
   }
   place_holes(std::move(holes), region);
   return region;

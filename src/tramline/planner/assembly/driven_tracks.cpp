@@ -76,7 +76,7 @@ PlannedRoute route_over(const SearchTask& task, const std::vector<order::WorkedL
       given.push_back(order::land_tour(lines, task.field, width_m, land));
   }
   return planned_route({task.field, task.machine, task.settings, task.headland, task.ground.body,
-                        task.turning_land, task.beside_boundaries},
+                        task.turning_land, task.beside_boundaries, task.patience},
                        lines, given);
 }
 

@@ -3,6 +3,7 @@
 
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/prepared_field.h"
+#include "tramline/route/build/patience.h"
 
 namespace tramline {
 
@@ -41,6 +42,7 @@ struct SearchTask {
   MayDivide may_divide;
   const AllowedLand& turning_land;
   const LinesBesideBoundaries& beside_boundaries;
+  Patience patience = Patience::kUsual;
 };
 
 }  // namespace tramline

@@ -10,6 +10,7 @@
 #include "tramline/planner/vary/depth.h"
 #include "tramline/planner/vary/left_out_tracks.h"
 #include "tramline/planner/vary/obstacles.h"
+#include "tramline/planner/vary/orders.h"
 #include "tramline/planner/vary/tracks.h"
 #include "tramline/planner/whole/plan_faults.h"
 #include "tramline/planner/whole/route_alternative.h"
@@ -25,14 +26,6 @@ constexpr double kBegun = 0.2;
 constexpr double kFirstRoutes = 0.5;
 constexpr double kDepthFound = 0.75;
 constexpr double kObstaclesFound = 0.85;
-
-/// The best plan with each track beside the one before. The quickest order may back out of ends that this
-/// one leaves forward, which takes a little longer and costs less.
-LaidOut in_adjacent_order(const RouteComparison& plans) {
-  LaidOut out{Alternative::kAdjacent, plans.best()};
-  out.trial.problem.settings.route.order = TrackOrder::kBySpacing;
-  return out;
-}
 
 /// Passes all round take land from tracks, also beside them. Where they leave tracks most of the field that
 /// costs less than the ends of open passes, in and out of which the machine has to be turned or backed.
@@ -53,14 +46,16 @@ void compare_all(RouteComparison& plans, RouteLayouts& layouts) {
     plans.plan_routes({kBegun, kFirstRoutes});
   }
   if (!plans.has_best() || plans.goes_on()) vary_depth(plans, layouts, narrow);
+  if (plans.goes_on()) vary_curves(plans, layouts);
   if (plans.goes_on()) vary_directions(plans, layouts);
   if (plans.goes_on()) vary_prices(plans, layouts, PassesByBoundary(plans.best().passes));  // a copy
   context.reach(kDepthFound);
   if (plans.goes_on()) vary_obstacles(plans, layouts);
   if (plans.goes_on()) vary_compass(plans, layouts);
   if (plans.goes_on()) vary_grids(plans);
-  if (plans.goes_on() && backs_out(plans.best_plan())) plans.improves(in_adjacent_order(plans));
+  if (plans.goes_on()) try_adjacent_order(plans);
   if (plans.goes_on()) leave_out_tracks(plans);
+  if (plans.goes_on()) look_longer_for_orders(plans);
   context.reach(kObstaclesFound);
 }
 
@@ -73,6 +68,7 @@ void add_for_comparison(RouteComparison& plans, RouteLayouts& layouts) {
     if (auto bare = layouts.laid_out(Alternative::kNoHeadland, plans.best_plan(), none)) {
       ComparedPlan entry{std::move(*bare)};
       plans.plan_route(entry);
+      plans.tell_of(entry);
     }
   }
   if (settings.route.order != TrackOrder::kBest) return;
@@ -81,6 +77,7 @@ void add_for_comparison(RouteComparison& plans, RouteLayouts& layouts) {
   if (known) return;
   ComparedPlan entry{in_adjacent_order(plans)};
   plans.plan_route(entry);
+  plans.tell_of(entry);
 }
 
 /// What is planned comes first, also where what is only told of costs less.

@@ -1,5 +1,7 @@
 #include "tramline/planner/vary/depth.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,6 +14,9 @@ namespace {
 
 /// So many passes more are tried one by one, and what lies between larger steps by halving them so often.
 constexpr int kOneByOne = 6, kHalvings = 2;
+
+/// One pass more or less that costs no more than this share above the best plan may lead to a better one.
+constexpr double kHardly = 0.02;
 
 /// Where a plan hardly works so many passes more than the least are tried, whether or not fewer cost more.
 constexpr int kDeeper = 2;
@@ -37,23 +42,31 @@ class Depths {
 
  private:
   void try_all() {
-    const std::vector<int> obstacles =
-        plans_.has_best() ? plans_.best().passes.obstacles : layouts_.passes_round_all();
-    for (int passes = 0; passes <= layouts_.least_passes() + kDeeper; ++passes) {
-      if (plans_.has_best() && plans_.has_to_end()) return;
-      const PassesByBoundary round = layouts_.all_round(passes, obstacles);
-      improves_with(round);
-      if (narrow_) vary_prices(plans_, layouts_, round);
-      if (passes > 0) continue;
-      for (LaidOut& laid : layouts_.along_sides(round)) plans_.improves(std::move(laid));
-    }
+    const std::vector<std::vector<int>> round_obstacles =
+        obstacles_to_try(plans_.has_best() ? plans_.best().passes.obstacles : layouts_.passes_round_all());
+    for (int passes = 0; passes <= layouts_.least_passes() + kDeeper; ++passes)
+      for (const std::vector<int>& obstacles : round_obstacles) {
+        if (plans_.has_best() && plans_.has_to_end()) return;
+        const PassesByBoundary round = layouts_.all_round(passes, obstacles);
+        improves_with(round);
+        if (narrow_) vary_prices(plans_, layouts_, round);
+        if (passes > 0) continue;
+        for (LaidOut& laid : layouts_.along_sides(round)) plans_.improves(std::move(laid));
+      }
+  }
+
+  /// Deep passes may leave no room for headlands between them and an obstacle that tracks go round.
+  std::vector<std::vector<int>> obstacles_to_try(std::vector<int> first) const {
+    const std::optional<std::vector<int>> none = layouts_.none_round_obstacles();
+    if (!none || *none == first) return {std::move(first)};
+    return {std::move(first), *none};
   }
 
   /// By one pass at a time, and after some by twice as many each time: large land may be best worked by
   /// dozens of them. Then what lies between, roughly.
   void vary_from(int passes, int direction) {
     int step = direction;
-    for (int steps = 1; improves_with_passes(passes + step); ++steps) {
+    for (int steps = 1; improves_with_passes(passes + step) || improves_behind(passes, step); ++steps) {
       passes += step;
       if (steps >= kOneByOne) step *= 2;
     }
@@ -63,9 +76,27 @@ class Depths {
     }
   }
 
+  /// Whether a step that hardly costs more leads to one that costs less: then the first is made up for.
+  bool improves_behind(int& passes, int step) {
+    if (std::abs(step) > 1 || !hardly_costs_more(passes + step)) return false;
+    if (!improves_with_passes(passes + 2 * step)) return false;
+    passes += step;
+    return true;
+  }
+
+  bool hardly_costs_more(int passes) const {
+    return std::ranges::any_of(plans_.plans(), [&](const ComparedPlan& plan) {
+      return plan.price && !plan.only_told_of && all_round(plan.passes()) &&
+             plan.passes().edges.front() == passes && *plan.price <= (1 + kHardly) * plans_.least_price();
+    });
+  }
+
   bool improves_with_passes(int passes) {
-    return passes > 0 && !plans_.has_to_end() &&
-           improves_with(layouts_.all_round(passes, plans_.best().passes.obstacles));
+    if (passes <= 0 || plans_.has_to_end()) return false;
+    bool cheaper = false;
+    for (const std::vector<int>& obstacles : obstacles_to_try(plans_.best().passes.obstacles))
+      cheaper = improves_with(layouts_.all_round(passes, obstacles)) || cheaper;
+    return cheaper;
   }
 
   bool improves_with(const PassesByBoundary& passes) {
@@ -82,6 +113,9 @@ class Depths {
     }
     if (!cheaper && !best_comes_near && !(narrow_ && hardly_works(plans_.best_plan()))) return false;
     for (LaidOut& laid : layouts_.searched(passes))
+      if (!has_such(plans_.plans(), laid.trial.draft.plan, passes))
+        cheaper = plans_.improves(std::move(laid)) || cheaper;
+    for (LaidOut& laid : layouts_.along_sides(passes))
       if (!has_such(plans_.plans(), laid.trial.draft.plan, passes))
         cheaper = plans_.improves(std::move(laid)) || cheaper;
     return cheaper;

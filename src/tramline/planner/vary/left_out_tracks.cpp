@@ -57,8 +57,10 @@ class Drops {
     return less;
   }
 
-  static bool takes(ComparedPlan& less, ComparedPlan& entry) {
+  /// What saves too little for the land that it leaves is not told of either: it may cost less than the plan.
+  bool takes(ComparedPlan& less, ComparedPlan& entry) {
     if (!is_worth_dropping(entry.plan(), less.plan())) return false;
+    plans_.tell_of(less);
     entry = std::move(less);
     return true;
   }

@@ -63,6 +63,13 @@ void vary_directions(RouteComparison& plans, RouteLayouts& layouts) {
   }
 }
 
+void vary_curves(RouteComparison& plans, RouteLayouts& layouts) {
+  assert(plans.has_best());
+  const PassesByBoundary passes = plans.best().passes;
+  if (layouts.looked_for_curves(passes)) return;
+  for (LaidOut& laid : layouts.along_curves(passes)) plans.improves(std::move(laid));
+}
+
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes) {
   const std::optional<Plan> usual = layouts.best_by_usual_prices(passes);
   if (usual && !has_such(plans.plans(), *usual, passes))

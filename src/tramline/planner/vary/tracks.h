@@ -9,6 +9,9 @@ namespace tramline {
 /// vary_grids(): there is a plan.
 void vary_directions(RouteComparison& plans, RouteLayouts& layouts);
 
+/// Curves are looked for behind the passes of the best plan, unless they were. Precondition: there is one.
+void vary_curves(RouteComparison& plans, RouteLayouts& layouts);
+
 /// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what
 /// is best by the usual prices is laid out behind these passes, too.
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes);

@@ -26,6 +26,9 @@ constexpr double kAsGood = 0.01;
 /// the best one.
 constexpr std::size_t kDepthsAllRound = 3;
 constexpr double kHardlyMore = 0.25;
+/// Orders of so many plans are looked for longer that cost no more than this share above the best one.
+constexpr std::size_t kOrderedLonger = 3;
+constexpr double kSlightlyMore = 0.05;
 
 /// The passes all round; -1 for others.
 int depth_of(const ComparedPlan& plan) { return all_round(plan.passes()) ? deepest(plan.passes()) : -1; }
@@ -123,6 +126,13 @@ std::vector<std::size_t> near_the_best(const ComparedPlans& plans, double least_
 std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_price) {
   return first_distinct(cheapest_within(plans, least_price, kAsGood), kDepths,
                         [&](std::size_t a, std::size_t b) { return plans[a].passes() == plans[b].passes(); });
+}
+
+std::vector<std::size_t> worth_ordering_longer(const ComparedPlans& plans, double least_price) {
+  std::vector<std::size_t> out;
+  for (const std::size_t i : cheapest_within(plans, least_price, kSlightlyMore))
+    if (plans[i].laid.kind != Alternative::kAdjacent && out.size() < kOrderedLonger) out.push_back(i);
+  return out;
 }
 
 std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double least_price) {

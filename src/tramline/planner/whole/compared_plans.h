@@ -58,6 +58,10 @@ std::vector<std::size_t> about_as_good(const ComparedPlans& plans, double least_
 /// Indices.
 std::vector<std::size_t> best_of_each_depth(const ComparedPlans& plans, double least_price);
 
+/// The cheapest few that cost slightly more than the least price at the most, in the best order that was
+/// found for them so far, the cheapest first. Indices.
+std::vector<std::size_t> worth_ordering_longer(const ComparedPlans& plans, double least_price);
+
 /// About what a plan would cost without these runs of its tracks, EUR. Precondition: it has its route.
 double expected_without(const std::vector<PieceRun>& runs, const ComparedPlan& plan);
 

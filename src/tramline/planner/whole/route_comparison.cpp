@@ -33,7 +33,7 @@ double RouteComparison::least_price() const {
 }
 
 double RouteComparison::least_expected(const ComparedPlan& entry) const {
-  return entry.floor + least_beyond_floor(plans_, entry);
+  return entry.floor + least_beyond_floor(plans_);
 }
 
 std::size_t RouteComparison::add(LaidOut laid) { return add(compared_plan(std::move(laid))); }
@@ -45,15 +45,21 @@ std::size_t RouteComparison::add(ComparedPlan entry) {
 
 void RouteComparison::take(ComparedPlan entry) { best_ = add(std::move(entry)); }
 
-void RouteComparison::plan_route(ComparedPlan& entry) {
+void RouteComparison::plan_route(ComparedPlan& entry, Patience patience) {
   context_.report();
   HeadlandTrial& trial = entry.laid.trial;
   trial.problem.settings.turns = TurnPlanning::kRoute;
-  trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
+  SearchTask task(trial.problem, trial.prepared);
+  task.patience = patience;
+  trial.draft = drafted(task, trial.found);
   // What order was taken is the planner's choice, as it was asked for.
   trial.problem.settings.route.order = trial.draft.plan.settings.route.order = problem_.settings.route.order;
-  told_of_.push_back(alternative_of(entry.laid.kind, trial.draft.plan));
-  entry.price = told_of_.back().cost.euros();
+  entry.price = whole_cost(trial.draft.plan).euros();
+}
+
+void RouteComparison::tell_of(const ComparedPlan& entry) {
+  assert(entry.price);
+  tell_of(alternative_of(entry.laid.kind, entry.plan()));
 }
 
 bool RouteComparison::improves(std::size_t i) {
@@ -62,16 +68,32 @@ bool RouteComparison::improves(std::size_t i) {
   if (is_told_of(entry)) return false;
   const bool may_win = !best_ || least_expected(entry) + entry.lacks_room_like_others < least_price();
   if (!may_win && compare_ == Compare::kWhatMayWin) return false;
-  const double before = least_price();
   plan_route(entry);
+  tell_of(entry);
   entry.only_told_of = !may_win;
-  if (!may_win) return false;
+  return may_win && is_cheapest(i);
+}
+
+bool RouteComparison::is_cheapest(std::size_t i) {
+  ComparedPlan& entry = plans_[i];
   // Other layouts may have room where this one has none.
   const double with_room = *entry.price - whole_cost(entry.plan()).without_room;
   entry.beyond_floor = std::max(0.0, with_room - entry.floor);
-  if (*entry.price >= before) return false;
+  if (*entry.price >= least_price()) return false;
   best_ = i;
   return true;
+}
+
+bool RouteComparison::improves_in_order(std::size_t i) {
+  assert(plans_[i].price);
+  ComparedPlan longer = plans_[i];
+  plan_route(longer, Patience::kLong);
+  if (*longer.price >= *plans_[i].price) return false;
+  tell_of(longer);
+  const bool cheapest = *longer.price < least_price();
+  plans_[i] = std::move(longer);
+  if (cheapest) best_ = i;
+  return cheapest;
 }
 
 /// Whether the same tracks have their route already. In another order they are another plan.
@@ -80,7 +102,7 @@ bool RouteComparison::is_told_of(const ComparedPlan& entry) {
   const auto same = same_tracks_priced(plans_, entry);
   if (!same || plans_[*same].only_told_of) return false;
   if (plans_[*same].laid.kind != entry.laid.kind)
-    told_of_.push_back(alternative_of(entry.laid.kind, plans_[*same].plan()));
+    tell_of(alternative_of(entry.laid.kind, plans_[*same].plan()));
   return true;
 }
 

@@ -43,9 +43,9 @@ class RouteComparison {
   /// Its number among plans().
   std::size_t add(LaidOut laid);
   std::size_t add(ComparedPlan entry);
-  /// Plans its route, unless the same tracks have theirs, and says whether it is the cheapest so far. Where
-  /// that is not to be expected its route is planned to be told of only, so that explaining a plan does not
-  /// change it.
+  /// Plans its route and tells of it, unless the same tracks have theirs, and says whether it is the cheapest
+  /// so far. Where that is not to be expected its route is planned to be told of only, so that explaining a
+  /// plan does not change it.
   bool improves(std::size_t i);
   /// Adds it, if there is one, and says the same.
   bool improves(std::optional<LaidOut> laid);
@@ -55,19 +55,25 @@ class RouteComparison {
   };
   void plan_routes(const Share& of_progress);
 
-  /// Plans the route of an entry that is not one of plans(), and tells of it.
-  void plan_route(ComparedPlan& entry);
+  /// Plans the route of an entry that is not one of plans().
+  void plan_route(ComparedPlan& entry, Patience patience = Patience::kUsual);
+  /// Looks longer for the order of a plan that has a route, and says whether it is the cheapest then.
+  bool improves_in_order(std::size_t i);
   /// Takes an entry with a route, which is cheaper than all others.
   void take(ComparedPlan entry);
 
-  /// All routes, as they are told of, in the order in which they were planned.
+  /// What is told of, in the order in which it was planned.
   const std::vector<RouteAlternative>& told_of() const { return told_of_; }
+  /// Precondition of the first: the entry has its route.
+  void tell_of(const ComparedPlan& entry);
   void tell_of(RouteAlternative alternative) { told_of_.push_back(std::move(alternative)); }
   /// Precondition: has_best().
   HeadlandTrial& best_to_finish();
 
  private:
   bool is_told_of(const ComparedPlan& entry);
+  /// Whether a plan with a route is the cheapest so far. It is the best one then.
+  bool is_cheapest(std::size_t i);
 
   PlanningProblem problem_;
   Compare compare_;

@@ -62,7 +62,8 @@ PlanningProblem with_straight_tracks(PlanningProblem problem) {
 }
 
 bool same_land(const PreparedField& a, const PreparedField& b) {
-  return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable;
+  return a.headland.passes.size() == b.headland.passes.size() && a.ground.plannable == b.ground.plannable &&
+         a.ground.hard == b.ground.hard;
 }
 
 }  // namespace
@@ -200,7 +201,14 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   return out;
 }
 
+bool RouteLayouts::looked_for_curves(const PassesByBoundary& passes) const {
+  // Where the passes are given, curves behind them are among the layouts.
+  return problem_.settings.headland_rule != HeadlandRule::kTurns ||
+         std::ranges::find(curved_, passes) != curved_.end();
+}
+
 std::vector<LaidOut> RouteLayouts::along_curves(const PassesByBoundary& passes) {
+  curved_.push_back(passes);
   const Behind& on = behind(passes);
   if (problem_.settings.shape != TrackShape::kAuto || !on.prepared) return {};
   if (area(on.prepared->ground.plannable) == 0) return {};
@@ -274,6 +282,12 @@ std::vector<int> RouteLayouts::passes_round_all() const {
   for (std::size_t i = 0; i < out.size(); ++i)
     if (obstacles[i].kind == ObstacleKind::kObstacle && out[i] == 0) out[i] = least_passes_;
   return out;
+}
+
+std::optional<std::vector<int>> RouteLayouts::none_round_obstacles() const {
+  if (problem_.settings.obstacle_headland_rule != HeadlandRule::kTurns) return std::nullopt;
+  if (obstacle_shapes(problem_.field, ObstacleKind::kObstacle).size() > kFewObstacles) return std::nullopt;
+  return std::vector<int>(obstacle_passes_.size(), 0);
 }
 
 std::vector<LaidOut> RouteLayouts::to_begin_with() {

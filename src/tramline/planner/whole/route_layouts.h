@@ -47,6 +47,9 @@ class RouteLayouts {
   /// few obstacles.
   std::vector<int> passes_round_all() const;
 
+  /// No passes round any obstacle, where that may be chosen, in a field of few obstacles.
+  std::optional<std::vector<int>> none_round_obstacles() const;
+
   /// The curved layouts, or curves behind the passes where these follow from turns, the tracks of least cost,
   /// and those along the longest side and the length of the
   /// field, behind the passes asked for, or behind the least passes all round; the same without the headlands
@@ -69,6 +72,8 @@ class RouteLayouts {
   /// least cost along edges of the land there, and those in some parts of it where that costs less than
   /// straight ones. None where no edge is a curve.
   std::vector<LaidOut> along_curves(const PassesByBoundary& passes);
+  /// Whether curves behind these passes were asked for, or need not be.
+  bool looked_for_curves(const PassesByBoundary& passes) const;
 
   /// Tracks along the longest side and the length of the field behind these passes.
   std::vector<LaidOut> along_sides(const PassesByBoundary& passes);
@@ -114,6 +119,7 @@ class RouteLayouts {
   SearchContext sweeping_;
   int least_passes_ = 0;
   std::vector<std::unique_ptr<const Behind>> kept_;
+  std::vector<PassesByBoundary> curved_;          ///< behind which curves were looked for
   std::optional<PassesByBoundary> first_open_{};  ///< where the tracks of the first layout end, if known
   std::vector<int> obstacle_passes_;              ///< as many as turns need, 0 where all tracks go round
 };

@@ -213,7 +213,7 @@ class RoutePlanner {
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
     set_finishes(lines, next, costs);
-    const TrackTour tour = best_tour_as_driven({as_given}, senses_of(task_.machine), lines,
+    const TrackTour tour = best_tour_as_driven({as_given}, senses_of(task_.machine), task_.patience, lines,
                                                before_lines(costs), connector_, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
@@ -283,9 +283,9 @@ class RoutePlanner {
     set_finishes(lines, next, costs);
     const Senses senses = senses_of(task_.machine);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
-    const TrackTour tour =
-        best ? best_tour_as_driven(tours, senses, lines, before_lines(costs), connector_, costs)
-             : with_ways(tours.front(), senses, costs);
+    const TrackTour tour = best ? best_tour_as_driven(tours, senses, task_.patience, lines,
+                                                      before_lines(costs), connector_, costs)
+                                : with_ways(tours.front(), senses, costs);
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const std::size_t line = on_part[order::line_of(entered)];

@@ -8,6 +8,7 @@
 
 #include "tramline/model/plan.h"
 #include "tramline/route/build/lines_beside_boundaries.h"
+#include "tramline/route/build/patience.h"
 #include "tramline/route/order/lines.h"
 #include "tramline/turns/room/allowed_land.h"
 
@@ -22,6 +23,7 @@ struct RouteTask {
   const Region& body;               ///< the land of the tracks
   const AllowedLand& turning_land;  ///< turning_land()
   const LinesBesideBoundaries& beside_boundaries;
+  Patience patience = Patience::kUsual;
 };
 
 /// What a stop to back out counts in the order of a route and in its bound, s: stop_seconds() where the plan

@@ -38,15 +38,15 @@ Way way_on(const Way& found, const SteeredPath& left, const SteeredPath& entered
   return other.has_room() || found.supposed ? other : found;
 }
 
-TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, Senses senses,
+TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, Senses senses, Patience patience,
                               const std::vector<RouteLine>& lines, const BeforeLines& before,
                               const Connector& connector, KnownCosts& costs) {
-  TrackTour out = best_tour_with_ways(given, senses, costs);
+  TrackTour out = best_tour_with_ways(given, senses, patience, costs);
   for (int i = 0; i < kMostRefusals; ++i) {
     const auto in_vain = supposed_in_vain(out, lines, before, connector);
     if (in_vain.empty()) break;
     for (const auto& [left, entered] : in_vain) costs.refuse_supposed(left, entered);
-    out = best_tour_with_ways(given, senses, costs);
+    out = best_tour_with_ways(given, senses, patience, costs);
   }
   return out;
 }

@@ -23,7 +23,7 @@ Way way_on(const Way& found, const SteeredPath& left, const SteeredPath& entered
 /// A tour of little cost (see best_tour_with_ways) of which no way supposes another way to the line before it
 /// than the machine takes, where that leaves it no room. Such ways are refused and a tour is looked for anew,
 /// kMostRefusals times at most. Deterministic.
-TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, Senses senses,
+TrackTour best_tour_as_driven(const std::vector<order::Tour>& given, Senses senses, Patience patience,
                               const std::vector<RouteLine>& lines, const BeforeLines& before,
                               const Connector& connector, KnownCosts& costs);
 

@@ -14,6 +14,8 @@ namespace {
 /// of a dozen lines in narrow land few orders have it. Where ways have to be searched for they take long:
 /// there so many tours that are no better are enough.
 constexpr int kMostRounds = 10, kMostForRoom = 48, kPatience = 5;
+/// The same with Patience::kLong, of tours of any kind.
+constexpr int kMostRoundsLong = 60;
 /// Where the first tour costs so many times as much as foreseen, ways are expected to cost more.
 constexpr double kFarMore = 1.3;
 /// What was foreseen of a tour is near enough, as a share of it; and tours that are foreseen to cost less by
@@ -57,6 +59,12 @@ double whole_cost(const TrackTour& tour, const KnownCosts& costs) {
   return cost_of_ways(tour.ways) + at_ends(tour.tour, costs);
 }
 
+/// The rounds of a search in which the best tour so far lacks room or has it.
+int most_rounds(Patience patience, bool lacks_room) {
+  if (patience == Patience::kLong) return kMostRoundsLong;
+  return lacks_room ? kMostForRoom : kMostRounds;
+}
+
 /// Of tours whose ways are known the one with the fewest ways without room, and of these the quickest: on
 /// land on which some way has none, how much is missing there decides nothing.
 Tour best_settled(const std::vector<Tour>& tours, KnownCosts& costs) {
@@ -91,13 +99,14 @@ TrackTour with_ways(const Tour& tour, Senses senses, KnownCosts& costs) {
   return whole_cost(there, costs) <= whole_cost(back, costs) ? there : back;
 }
 
-TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, KnownCosts& costs) {
+TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Patience patience,
+                              KnownCosts& costs) {
   std::vector<Tour> settled;
   Tour tour = found_order(costs, costs.neighbours(), given, order::Effort::kWhole);
   double least_s = std::numeric_limits<double>::infinity();
   std::ptrdiff_t lacking = 0;  // ways of the best tour
   bool shallow = false;        // headlands, for many turns
-  for (int round = 0, idle = 0; round < (lacking > 0 ? kMostForRoom : kMostRounds); ++round) {
+  for (int round = 0, idle = 0; round < most_rounds(patience, lacking > 0); ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
     if (lacking == 0 && foreseen_s >= (1 - kForeseen) * least_s) break;
     const TrackTour found = in_order(tour, costs);
@@ -113,7 +122,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Kno
       least_s = cost_s;
       lacking = without_room(found, costs);
       idle = 0;
-    } else if (++idle >= kPatience && lacking == 0 && shallow) {
+    } else if (++idle >= kPatience && lacking == 0 && shallow && patience == Patience::kUsual) {
       break;
     }
     tour = found_order(costs, costs.neighbours(), settled, order::Effort::kAgain);

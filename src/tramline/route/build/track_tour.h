@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/route/build/known_costs.h"
+#include "tramline/route/build/patience.h"
 
 namespace tramline {
 
@@ -24,7 +25,8 @@ TrackTour with_ways(const order::Tour& tour, Senses senses, KnownCosts& costs);
 /// A tour of little cost: up to kMostExact lines the best, otherwise the best found from the tours given and
 /// from others, by exchanges. Costs are lower bounds where no way has been looked for, so ways are looked for
 /// along the best tour, those to its first line and from its last too, and the search is repeated from there
-/// until it stays or kMostRounds have passed; the best tour whose ways are known is returned. Deterministic.
-TrackTour best_tour_with_ways(const std::vector<order::Tour>& given, Senses senses, KnownCosts& costs);
+/// until it stays or `patience` ends; the best tour whose ways are known is returned. Deterministic.
+TrackTour best_tour_with_ways(const std::vector<order::Tour>& given, Senses senses, Patience patience,
+                              KnownCosts& costs);
 
 }  // namespace tramline

@@ -7,6 +7,7 @@
 
 #include "tramline/check/rules/route/route_facts.h"
 #include "tramline/check/tolerances.h"
+#include "tramline/check/turning/driven_machine.h"
 #include "tramline/check/turning/shortest_ways.h"
 
 namespace tramline::check {

@@ -86,7 +86,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   }
   if (piece.subfield >= plan.subfields.size()) {
     // Numbers below 1 in a file have become indices beyond all others.
-    const auto number = static_cast<long long>(piece.subfield + 1);
+    const auto number = static_cast<long long>(piece.subfield) + 1;
     out.push_back(
         {Rule::kPieces,
          fmt::format("{} belongs to subfield {}, and there are {}", name, number, plan.subfields.size()),
