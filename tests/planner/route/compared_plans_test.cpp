@@ -90,15 +90,30 @@ TEST(RoomLackedByOthers, IsTheLeastOfSeveralBehindAsManyPasses) {
   EXPECT_EQ(room_lacked_by_others(plans, without_room(1, 0, {})), 0);
 }
 
-// Two fifths of the least; a plan that was only told of has none.
-TEST(LeastBeyondFloor, IsAPartOfTheLeastOfAllPlans) {
+ComparedPlan behind(int passes, double direction_deg, std::size_t pieces,
+                    std::optional<double> beyond_floor) {
+  ComparedPlan out;
+  out.laid.trial.passes.edges.assign(4, passes);
+  out.laid.trial.draft.plan.subfields.push_back(
+      {{}, Direction::clockwise_from_north(Angle::degrees(direction_deg))});
+  pieces_of(out).resize(pieces);
+  out.beyond_floor = beyond_floor;
+  return out;
+}
+
+// Two fifths of 20 €; behind two passes, three tracks and what counts as two more cost 50 €, so eight and two
+// in about the same direction cost three fifths of 100 €.
+TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansInTheSameDirectionBehindTheSamePasses) {
   ComparedPlans plans;
-  EXPECT_EQ(least_beyond_floor(plans), 0);
-  plans.resize(3);
-  EXPECT_EQ(least_beyond_floor(plans), 0);
-  plans[0].beyond_floor = 50;
-  plans[2].beyond_floor = 20;
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans), 8);
+  EXPECT_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 0);
+  plans = {behind(2, 89, 3, 50), behind(1, 90, 3, 20), behind(2, 90, 30, {})};
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 60);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 93, 8, {})), 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 90, 8, {})), 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 33, {})), 8) << "of many tracks it tells nothing";
+  ComparedPlan curved = behind(2, 90, 8, {});
+  curved.laid.trial.draft.plan.subfields.front().reference.push_back({{0, 0}, {100, 0}, 0.001});
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, curved), 8);
 }
 
 }  // namespace

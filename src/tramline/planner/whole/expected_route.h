@@ -5,8 +5,10 @@
 
 namespace tramline {
 
-/// What the route of any plan is expected to cost beyond its floor at the least, EUR: a part of the least of
-/// all plans with a route; 0 where there is none. Not a bound. O(n).
-double least_beyond_floor(const ComparedPlans& plans);
+/// What the route of a plan is expected to cost beyond its floor at the least, EUR: a part of the least of
+/// all plans with a route; of few tracks also a larger part of the least of those in about the same
+/// directions behind as many passes round the field, as more or fewer tracks have it. 0 where no plan has a
+/// route. Not a bound. O(n · subfields²).
+double least_beyond_floor(const ComparedPlans& plans, const ComparedPlan& plan);
 
 }  // namespace tramline

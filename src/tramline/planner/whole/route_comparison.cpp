@@ -33,7 +33,7 @@ double RouteComparison::least_price() const {
 }
 
 double RouteComparison::least_expected(const ComparedPlan& entry) const {
-  return entry.floor + least_beyond_floor(plans_);
+  return entry.floor + least_beyond_floor(plans_, entry);
 }
 
 std::size_t RouteComparison::add(LaidOut laid) { return add(compared_plan(std::move(laid))); }

@@ -183,8 +183,59 @@ Ring HeadingReach::on_land(Ring places, const std::vector<double>& from_side_m) 
   return places;
 }
 
+bool HeadingReach::stands_on_land(Point at, std::size_t bound) const {
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    if (dot(at - sides_[i].at, sides_[i].inwards) < at_bound_m_[bound][i] + kGrown_m) return false;
+  return true;
+}
+
+HeadingReach::AtBound HeadingReach::turned(const AtBound& from, double sense, Turn turn) const {
+  const std::size_t next = turn == Turn::kLeft ? after(from.bound) : before(from.bound);
+  const Point along = heading_at(static_cast<double>(from.bound)) + heading_at(static_cast<double>(next));
+  return {from.at + sense * radius_m_ * std::tan(0.5 * kSector) * along, next};
+}
+
+bool HeadingReach::can_circle(AtBound from, double sense, Turn turn) const {
+  for (std::size_t i = 0; i < kHeadingSectors; ++i) {
+    if (!stands_on_land(from.at, from.bound)) return false;
+    from = turned(from, sense, turn);
+  }
+  return true;
+}
+
+bool HeadingReach::can_circle_ahead(const AtBound& from, double sense) const {
+  constexpr int kRadiiAhead = 4;
+  const Point ahead = sense * radius_m_ * heading_at(static_cast<double>(from.bound));
+  for (int radii = 0; radii <= kRadiiAhead; ++radii) {
+    const AtBound there{from.at + radii * ahead, from.bound};
+    if (can_circle(there, sense, Turn::kLeft) || can_circle(there, sense, Turn::kRight)) return true;
+  }
+  return false;
+}
+
+bool HeadingReach::can_turn_round(const Pose& pose, double sense) const {
+  const double begins = sectors_of(pose);
+  for (const Turn turn : {Turn::kLeft, Turn::kRight}) {
+    const double bound = turn == Turn::kLeft ? std::ceil(begins) : std::floor(begins);
+    const double to_bound = std::abs(bound - begins) * kSector;
+    AtBound place{
+        pose.at + sense * radius_m_ * std::tan(0.5 * to_bound) * (pose.heading.unit() + heading_at(bound)),
+        static_cast<std::size_t>(bound) % kHeadingSectors};
+    for (std::size_t i = 0; i < kHeadingSectors && stands_on_land(place.at, place.bound); ++i) {
+      if (can_circle_ahead(place, sense)) return true;
+      place = turned(place, sense, turn);
+    }
+  }
+  return false;
+}
+
 PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
   PlacesByHeading out;
+  // What the rounds below would find in the end.
+  if (can_turn_round(pose, sense)) {
+    out.followed = false;
+    return out;
+  }
   out.places.resize(kHeadingSectors);
   out.on_land.resize(kHeadingSectors);
   const std::array<std::size_t, 2> first = sectors_at(pose);

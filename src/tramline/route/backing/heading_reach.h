@@ -48,6 +48,18 @@ class HeadingReach {
 
  private:
   Ring on_land(Ring places, const std::vector<double>& from_side_m) const;
+  bool stands_on_land(Point at, std::size_t bound) const;
+  enum class Turn { kLeft, kRight };
+  /// On from where it points along the bound of a sector to the next bound.
+  struct AtBound {
+    Point at;
+    std::size_t bound;
+  };
+  AtBound turned(const AtBound& from, double sense, Turn turn) const;
+  bool can_circle(AtBound from, double sense, Turn turn) const;
+  bool can_circle_ahead(const AtBound& from, double sense) const;
+  /// Whether it gets to all headings on a turn to one side, a straight and a circle.
+  bool can_turn_round(const Pose& pose, double sense) const;
 
   std::vector<Side> sides_;
   double radius_m_;
