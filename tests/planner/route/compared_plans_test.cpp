@@ -90,6 +90,18 @@ TEST(RoomLackedByOthers, IsTheLeastOfSeveralBehindAsManyPasses) {
   EXPECT_EQ(room_lacked_by_others(plans, without_room(1, 0, {})), 0);
 }
 
+// Three of those within a twentieth of the best, the cheapest first, and none in adjacent order.
+TEST(WorthOrderingLonger, AreTheCheapestFew) {
+  ComparedPlans plans(7);
+  for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) plans[i].price = 104.0 - static_cast<double>(i);
+  plans[5].laid.kind = Alternative::kAdjacent;
+  plans[3].only_told_of = true;
+  EXPECT_EQ(worth_ordering_longer(plans, 99), (std::vector<std::size_t>{4, 2, 1}));
+  plans[2].price = 104;  // more than 103.95
+  plans[1].price = 104;
+  EXPECT_EQ(worth_ordering_longer(plans, 99), (std::vector<std::size_t>{4}));
+}
+
 ComparedPlan behind(int passes, double direction_deg, std::size_t pieces,
                     std::optional<double> beyond_floor) {
   ComparedPlan out;

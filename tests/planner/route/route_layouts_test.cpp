@@ -36,6 +36,43 @@ TEST(RouteLayouts, KnowWhenMorePassesAreTheSame) {
   EXPECT_FALSE(tried.leave_other_land(tried.all_round(4, {})));
 }
 
+/// The strip with so many masts of a metre along its middle line.
+PlanningProblem strip_with_masts(std::size_t count) {
+  PlanningProblem out = strip_problem(HeadlandRule::kTurns);
+  out.settings.obstacle_headland_rule = HeadlandRule::kTurns;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double y = 20.0 * static_cast<double>(i + 1);
+    out.field.obstacles.emplace_back();
+    out.field.obstacles.back().shape.outer = {{20, y}, {21, y}, {21, y + 1}, {20, y + 1}};
+  }
+  return out;
+}
+
+std::optional<std::vector<int>> none_round(const PlanningProblem& problem) {
+  const std::vector<Plan> layouts = one_layout(problem);
+  return RouteLayouts(problem, layouts, SearchContext(1)).none_round_obstacles();
+}
+
+TEST(RouteLayouts, LeaveObstaclesWithoutHeadlandsWhereThatMayBeChosen) {
+  EXPECT_EQ(none_round(strip_with_masts(2)), std::vector<int>(2, 0));
+  EXPECT_FALSE(none_round(strip_with_masts(kFewObstacles + 1)));
+  PlanningProblem given = strip_with_masts(2);
+  given.settings.obstacle_headland_rule = HeadlandRule::kPasses;
+  EXPECT_FALSE(none_round(given));
+}
+
+TEST(RouteLayouts, KnowBehindWhichPassesCurvesWereLookedFor) {
+  PlanningProblem problem = strip_problem(HeadlandRule::kTurns);
+  const std::vector<Plan> layouts = one_layout(problem);
+  RouteLayouts tried(problem, layouts, SearchContext(1));
+  EXPECT_FALSE(tried.looked_for_curves(tried.all_round(2, {})));
+  tried.along_curves(tried.all_round(2, {}));
+  EXPECT_TRUE(tried.looked_for_curves(tried.all_round(2, {})));
+  EXPECT_FALSE(tried.looked_for_curves(tried.all_round(1, {})));
+  problem.settings.headland_rule = HeadlandRule::kPasses;
+  EXPECT_TRUE(RouteLayouts(problem, layouts, SearchContext(1)).looked_for_curves(tried.all_round(1, {})));
+}
+
 // One pass leaves 28 of 40 m to tracks, two leave 16.
 TEST(RouteLayouts, TellLandThatPassesWorkFromLandOfTracks) {
   const PlanningProblem problem = strip_problem(HeadlandRule::kTurns);

@@ -287,7 +287,7 @@ std::vector<int> RouteLayouts::passes_round_all() const {
 std::optional<std::vector<int>> RouteLayouts::none_round_obstacles() const {
   if (problem_.settings.obstacle_headland_rule != HeadlandRule::kTurns) return std::nullopt;
   if (obstacle_shapes(problem_.field, ObstacleKind::kObstacle).size() > kFewObstacles) return std::nullopt;
-  return std::vector<int>(obstacle_passes_.size(), 0);
+  return no_passes().obstacles;
 }
 
 std::vector<LaidOut> RouteLayouts::to_begin_with() {
