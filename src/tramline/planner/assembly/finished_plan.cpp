@@ -122,6 +122,7 @@ PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
   if (plan.settings.turns == TurnPlanning::kTurns) tracks.stops = plan_turns(task.turning_land, plan);
   if (out.driven.route) {
     out.parts = out.driven.route->parts;
+    out.gave_up = out.driven.route->gave_up;
     tracks.stops = add_route(task.turning_land, *std::exchange(out.driven.route, std::nullopt), plan);
   }
   set_figures(plan, tracks);

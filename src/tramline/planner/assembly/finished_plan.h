@@ -18,6 +18,7 @@ struct PlanDraft {
   Plan plan;
   Driven driven;          ///< without pieces and route, which the plan has
   std::size_t parts = 1;  ///< of the land, which the route works one after the other
+  bool gave_up = false;   ///< with more patience another order might have been found
 };
 
 /// The best candidate as a draft. Throws as require_tracks().

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "tramline/planner/whole/plan_faults.h"
+
 namespace tramline {
 namespace {
 
@@ -19,7 +21,10 @@ LaidOut in_adjacent_order(const RouteComparison& plans) {
 
 void try_adjacent_order(RouteComparison& plans) {
   assert(plans.has_best());
-  if (!is_given(plans)) plans.improves(in_adjacent_order(plans));
+  if (is_given(plans)) return;
+  const PlanDraft& best = plans.best().draft;
+  if (best.gave_up || backs_out(best.plan) || best.plan.route.over_tracks_m > 0)
+    plans.improves(in_adjacent_order(plans));
 }
 
 void look_longer_for_orders(RouteComparison& plans) {
@@ -27,7 +32,7 @@ void look_longer_for_orders(RouteComparison& plans) {
   if (is_given(plans)) return;
   for (const std::size_t i : worth_ordering_longer(plans.plans(), plans.least_price())) {
     if (plans.has_to_end()) return;
-    plans.improves_in_order(i);
+    if (plans.plans()[i].laid.trial.draft.gave_up) plans.improves_in_order(i);
   }
 }
 

@@ -215,6 +215,7 @@ class RoutePlanner {
     set_finishes(lines, next, costs);
     const TrackTour tour = best_tour_as_driven({as_given}, senses_of(task_.machine), task_.patience, lines,
                                                before_lines(costs), connector_, costs);
+    out_.gave_up = out_.gave_up || tour.gave_up;
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
@@ -286,6 +287,7 @@ class RoutePlanner {
     const TrackTour tour = best ? best_tour_as_driven(tours, senses, task_.patience, lines,
                                                       before_lines(costs), connector_, costs)
                                 : with_ways(tours.front(), senses, costs);
+    out_.gave_up = out_.gave_up || tour.gave_up;
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const std::size_t line = on_part[order::line_of(entered)];

@@ -31,7 +31,8 @@ double cost_of_ways(const std::vector<Way>& ways) {
 }
 
 TrackTour in_order(const Tour& tour, KnownCosts& costs) {
-  TrackTour out{tour, {}};
+  TrackTour out;
+  out.tour = tour;
   for (std::size_t i = 0; i + 1 < tour.size(); ++i)
     out.ways.push_back(costs.way(order::other_end(tour[i]), tour[i + 1]));
   return out;
@@ -106,14 +107,17 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Pat
   double least_s = std::numeric_limits<double>::infinity();
   std::ptrdiff_t lacking = 0;  // ways of the best tour
   bool shallow = false;        // headlands, for many turns
+  bool stays = false;
   for (int round = 0, idle = 0; round < most_rounds(patience, lacking > 0); ++round) {
     const double foreseen_s = order::connection_s(tour, costs);
-    if (lacking == 0 && foreseen_s >= (1 - kForeseen) * least_s) break;
+    stays = lacking == 0 && foreseen_s >= (1 - kForeseen) * least_s;
+    if (stays) break;
     const TrackTour found = in_order(tour, costs);
     settle_ends(tour, costs);
     settled.push_back(tour);
     const double cost_s = order::connection_s(tour, costs);
-    if (cost_s <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
+    stays = cost_s <= (1 + kForeseen) * foreseen_s + kLeastGain_s;
+    if (stays) break;
     if (round == 0 && cost_s > kFarMore * foreseen_s) {
       shallow = true;
       costs.expect_more();
@@ -127,7 +131,9 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, Senses senses, Pat
     }
     tour = found_order(costs, costs.neighbours(), settled, order::Effort::kAgain);
   }
-  return with_ways(best_settled(settled, costs), senses, costs);
+  TrackTour out = with_ways(best_settled(settled, costs), senses, costs);
+  out.gave_up = !stays;
+  return out;
 }
 
 }  // namespace tramline

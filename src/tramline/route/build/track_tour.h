@@ -12,6 +12,7 @@ namespace tramline {
 struct TrackTour {
   order::Tour tour;
   std::vector<Way> ways;
+  bool gave_up = false;  ///< with more patience another might have been found
 };
 
 /// Whether a way costs as much as the same one driven from its end, as it does where nothing reaches ahead of
