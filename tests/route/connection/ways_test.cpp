@@ -1,5 +1,5 @@
-// Ways between ends: turns against all straight ways tried one after the other, words against all words tried
-// for room, and tours against the same tours driven from their ends.
+// Ways between ends: turns against all straight ways tried one after the other, and words against all words
+// tried for room.
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,7 @@
 #include "properties/draws.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/route/build/known_costs.h"
-#include "tramline/route/build/lines_beside_boundaries.h"
-#include "tramline/route/build/track_tour.h"
+#include "route/tracks_to_join.h"
 #include "tramline/route/connection/arc_room.h"
 #include "tramline/route/connection/unreachable.h"
 #include "tramline/route/turning/planned_turns.h"
@@ -25,6 +23,7 @@ namespace tramline {
 namespace {
 
 using testing::for_each_seed;
+using testing::TracksToJoin;
 
 Machine random_machine(std::mt19937_64& random) {
   Machine out;
@@ -145,96 +144,6 @@ TEST(ArcRoom, FindsTheFirstOfAllWordsWithRoom) {
   EXPECT_GT(none, 500);
 }
 
-/// Tracks from south to north over a field whose edges slope, with as much land beyond their ends.
-struct Tracks {
-  Field field;
-  Region body;
-  std::vector<order::WorkedLine> lines;
-};
-
-Tracks random_tracks(std::mt19937_64& random, double width_m) {
-  const int count = any_of(random, 4, 12);
-  const double depth_m = uniform(random, 6, 18), low = uniform(random, -0.3, 0.3),
-               high = uniform(random, -0.3, 0.3);
-  const double east = width_m * count;
-  const auto corner = [&](double x, double slope, double y) { return Point{x, y + slope * x}; };
-  Tracks out;
-  out.field.outer = {corner(-depth_m, low, -depth_m), corner(east + depth_m, low, -depth_m),
-                     corner(east + depth_m, high, 120 + depth_m), corner(-depth_m, high, 120 + depth_m)};
-  out.body = {{{corner(0, low, 0), corner(east, low, 0), corner(east, high, 120), corner(0, high, 120)}, {}}};
-  for (int i = 0; i < count; ++i) {
-    const double x = width_m * (i + 0.5);
-    TrackPiece piece{corner(x, low, 0), corner(x, high, 120)};
-    piece.track = i;
-    out.lines.push_back({piece});
-  }
-  return out;
-}
-
-/// Random tracks and all it takes to find ways between them. Its members refer to one another.
-struct TracksToJoin {
-  /// There may be walls round the first track, which nothing gets over.
-  explicit TracksToJoin(std::mt19937_64& random, bool first_is_walled = false)
-      : machine(machine_without_overhang(random)),
-        tracks(random_tracks(random, machine.width_m)),
-        land({{tracks.field.outer, first_is_walled ? walls() : std::vector<Ring>{}}}),
-        ground(land, tracks.field, machine, tracks.body),
-        roadmap(new_roadmap()),
-        connector(ground, roadmap, {}),
-        least(machine) {
-    for (const order::WorkedLine& line : tracks.lines) lines.push_back(route_line(line, machine.turning));
-  }
-  TracksToJoin(const TracksToJoin&) = delete;
-  TracksToJoin& operator=(const TracksToJoin&) = delete;
-
-  /// On both sides of the first track and across its ends, a metre thick.
-  std::vector<Ring> walls() const {
-    const TrackPiece& first = tracks.lines.front().front();
-    const double x = first.start.x, beside_m = 0.7 * machine.width_m;
-    const double south = first.start.y - 2, north = first.end.y + 2;
-    const auto box = [](double from_x, double from_y, double to_x, double to_y) {
-      return Ring{{from_x, from_y}, {from_x, to_y}, {to_x, to_y}, {to_x, from_y}};
-    };
-    return {box(x - beside_m - 1, south, x - beside_m, north),
-            box(x + beside_m, south, x + beside_m + 1, north),
-            box(x - beside_m - 1, south - 1.5, x + beside_m + 1, south - 0.5),
-            box(x - beside_m - 1, north + 0.5, x + beside_m + 1, north + 1.5)};
-  }
-
-  RoadmapOnDemand new_roadmap() const {
-    return {[this] {
-              return Roadmap(lines_beside_boundaries({}, tracks.field, ground), 0.75 * machine.radius_m);
-            },
-            ground};
-  }
-
-  static Machine machine_without_overhang(std::mt19937_64& random) {
-    Machine out;
-    out.width_m = uniform(random, 3, 7);
-    out.radius_m = uniform(random, 3, 7);
-    return out;
-  }
-
-  Machine machine;
-  Tracks tracks;
-  AllowedLand land;
-  DrivingGround ground;
-  RoadmapOnDemand roadmap;
-  Connector connector;
-  std::vector<RouteLine> lines;
-  LeastSeconds least;
-};
-
-double seconds_of(const TrackTour& tour) {
-  double out = 0;
-  for (const Way& way : tour.ways) out += way.cost_s;
-  return out;
-}
-
-auto lacking(const TrackTour& tour) {
-  return std::ranges::count_if(tour.ways, [](const Way& way) { return !way.has_room(); });
-}
-
 SteeredPath eastwards(double from_m, double length_m, Gear gear) {
   const Heading heading = Heading::clockwise_from_north(Angle::degrees(90));
   return {arc_from({{from_m, 0}, heading}, length_m, 0, gear)};
@@ -257,31 +166,6 @@ TEST(DrivenForward, LeavesOutWhatWasBackedOver) {
   EXPECT_NEAR(length(driven_forward(elsewhere, way, work)), 7 + 18, 1e-9);
   way.missing_m = 1;
   EXPECT_NEAR(length(driven_forward(before, way, work)), 20, 1e-9);
-}
-
-/// Ways from an end are expected to cost more once one was found that does: not less than before, and by no
-/// more than that one. A way without room tells nothing of others.
-TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
-  int dearer = 0, without_room = 0;
-  for_each_seed(200, [&](std::mt19937_64& random, int) {
-    const TracksToJoin scene(random);
-    KnownCosts costs(scene.lines, scene.connector, scene.least);
-    const order::End a = 1, b = 3, c = 5;  // where the first three tracks end
-    costs.expect_more();
-    const double foreseen_s = costs.between(a, b), other_s = costs.between(a, c);
-    const Way way = costs.way(a, b);
-    const double more_s = costs.between(a, c) - other_s;
-    if (!way.has_room()) {
-      EXPECT_EQ(more_s, 0);
-      ++without_room;
-    } else if (const double excess_s = way.cost_s - foreseen_s; excess_s > 1) {
-      EXPECT_GT(more_s, 0);
-      EXPECT_LT(more_s, excess_s);
-      ++dearer;
-    }
-  });
-  EXPECT_GT(dearer, 10);
-  std::cout << dearer << " ways dearer than foreseen, " << without_room << " without room\n";
 }
 
 // Of three poses, the first leads to neither end, the second to the other one only, the third to both.
@@ -330,76 +214,6 @@ TEST(Connector, LearnsFromWaysWithoutRoomOnlyWhatHolds) {
   if (testing::case_count(12) < 12) return;
   EXPECT_GT(found, 100);
   EXPECT_GT(without_room, 30);
-}
-
-/// Three ways without room and none with it: no way of that end is expected to have room, until one has.
-TEST(KnownCosts, ExpectNoRoomAtDeadEnds) {
-  int dead = 0, alive = 0;
-  for_each_seed(40, [&](std::mt19937_64& random, int i) {
-    const TracksToJoin scene(random, i % 2 == 0);
-    if (scene.lines.size() < 6) return;
-    KnownCosts costs(scene.lines, scene.connector, scene.least);
-    const order::End end = 1;
-    const double foreseen_s = costs.between(end, 11);
-    bool has_room = false;
-    for (const order::End other : {3U, 5U, 7U}) has_room = costs.way(end, other).has_room() || has_room;
-    if (has_room) {
-      EXPECT_EQ(costs.between(end, 11), foreseen_s);
-      ++alive;
-    } else {
-      EXPECT_GE(costs.between(end, 11), foreseen_s + 1000);
-      ++dead;
-    }
-  });
-  std::cout << dead << " dead ends, " << alive << " others\n";
-  if (testing::case_count(40) < 40) return;
-  EXPECT_GT(dead, 5);
-  EXPECT_GT(alive, 5);
-}
-
-/// Where nothing reaches out, a tour costs about as much from its end: looking at one sense is enough.
-TEST(WithWays, OneSenseIsEnoughForABar) {
-  double one_s = 0, both_s = 0;
-  for_each_seed(60, [&](std::mt19937_64& random, int) {
-    const TracksToJoin scene(random);
-    KnownCosts costs(scene.lines, scene.connector, scene.least);
-    order::Tour tour;
-    for (std::size_t i = 0; i < scene.lines.size(); ++i) tour.push_back(2 * i + i % 2);
-    for (int swaps = any_of(random, 0, 2); swaps > 0; --swaps)
-      std::swap(tour[static_cast<std::size_t>(any_of(random, 0, static_cast<int>(tour.size()) - 1))],
-                tour.front());
-    const TrackTour one = with_ways(tour, Senses::kCostTheSame, costs),
-                    both = with_ways(tour, Senses::kDiffer, costs);
-    EXPECT_EQ(one.ways.size() + 1, scene.lines.size());
-    EXPECT_EQ(lacking(one), lacking(both));
-    EXPECT_LE(seconds_of(one), 1.1 * seconds_of(both) + 1);
-    one_s += seconds_of(one);
-    both_s += seconds_of(both);
-  });
-  EXPECT_LE(one_s, 1.01 * both_s);
-  EXPECT_GT(both_s, 0);
-}
-
-/// The tours that were settled with less patience are among those with more.
-TEST(BestTourWithWays, IsNoWorseWithMorePatience) {
-  int better = 0;
-  for_each_seed(40, [&](std::mt19937_64& random, int) {
-    const TracksToJoin scene(random);
-    const auto found = [&](Patience patience) {
-      KnownCosts costs(scene.lines, scene.connector, scene.least);
-      return best_tour_with_ways({}, Senses::kDiffer, patience, costs);
-    };
-    const TrackTour usual = found(Patience::kUsual), longer = found(Patience::kLong);
-    EXPECT_LE(lacking(longer), lacking(usual));
-    if (lacking(longer) == lacking(usual)) {
-      EXPECT_LE(seconds_of(longer), seconds_of(usual) + 1e-6);
-    }
-    if (!usual.gave_up) {
-      EXPECT_EQ(longer.tour, usual.tour);
-    }
-    if (seconds_of(longer) < seconds_of(usual) - 0.1) ++better;
-  });
-  std::cout << better << " tours are quicker with more patience\n";
 }
 
 }  // namespace

@@ -230,12 +230,15 @@ bool HeadingReach::can_turn_round(const Pose& pose, double sense) const {
 }
 
 PlacesByHeading HeadingReach::from(const Pose& pose, double sense) const {
+  if (!can_turn_round(pose, sense)) return followed_from(pose, sense);
+  // What following it would find in the end.
   PlacesByHeading out;
-  // What the rounds below would find in the end.
-  if (can_turn_round(pose, sense)) {
-    out.followed = false;
-    return out;
-  }
+  out.followed = false;
+  return out;
+}
+
+PlacesByHeading HeadingReach::followed_from(const Pose& pose, double sense) const {
+  PlacesByHeading out;
   out.places.resize(kHeadingSectors);
   out.on_land.resize(kHeadingSectors);
   const std::array<std::size_t, 2> first = sectors_at(pose);

@@ -47,14 +47,17 @@ class HeadingReach {
   PlacesByHeading from(const Pose& pose, double sense) const;
 
  private:
-  Ring on_land(Ring places, const std::vector<double>& from_side_m) const;
-  bool stands_on_land(Point at, std::size_t bound) const;
   enum class Turn { kLeft, kRight };
-  /// On from where it points along the bound of a sector to the next bound.
+  /// Where it points along the lower bound of a sector.
   struct AtBound {
     Point at;
     std::size_t bound;
   };
+
+  PlacesByHeading followed_from(const Pose& pose, double sense) const;
+  Ring on_land(Ring places, const std::vector<double>& from_side_m) const;
+  bool stands_on_land(Point at, std::size_t bound) const;
+  /// On to the next bound, as sharply as it can turn.
   AtBound turned(const AtBound& from, double sense, Turn turn) const;
   bool can_circle(AtBound from, double sense, Turn turn) const;
   bool can_circle_ahead(const AtBound& from, double sense) const;
