@@ -65,7 +65,7 @@ TEST(RouteReport, WholeCostIsOneRow) {
   EXPECT_EQ(row.find("whole cost   "), 0U) << row;
   EXPECT_NE(row.find(", 0.25 h: machine 22.50 €, "), std::string::npos) << row;
   EXPECT_NE(row.find(" l of fuel "), std::string::npos) << row;
-  EXPECT_NE(row.find(" €, worked twice 0.00 €, missed 0.00 €, stops 5.00 €; field efficiency "),
+  EXPECT_NE(row.find(" €, worked twice 0.00 €, missed 0.00 €, stops 1.00 €; field efficiency "),
             std::string::npos)
       << row;
   EXPECT_EQ(row.find("without room"), std::string::npos) << row;
@@ -75,7 +75,7 @@ TEST(RouteReport, WholeCostIsOneRow) {
 TEST(RouteReport, LegsWithoutRoomAreAPartOfTheWholeCost) {
   Plan tight = routed();
   tight.route.legs[1].missing_m = tight.route.legs[3].missing_m = 0.5;
-  EXPECT_NE(whole_cost_row(tight).find(", stops 5.00 €, legs without room 100.00 €; field efficiency "),
+  EXPECT_NE(whole_cost_row(tight).find(", stops 1.00 €, legs without room 100.00 €; field efficiency "),
             std::string::npos)
       << whole_cost_row(tight);
   EXPECT_DOUBLE_EQ(whole_cost_json(tight).at("euros_without_room").get<double>(), 100);

@@ -134,6 +134,15 @@ TEST(Room, OfABehindBarThatSwingsOutIsMissingBesideAHardEdge) {
   EXPECT_NEAR(land.missing_m(half_circle(), outline_of(bar(12, 3))), std::hypot(12, 3) - 12, 0.02);
 }
 
+// Along 1.7 km the bar is a centimetre over the edge; where it begins its end is past a slanting edge, the
+// line y = x − 17.69, by (18 − 17.69)/√2.
+TEST(Room, IsMissingWhereALongWayBeginsMoreThanAlongIt) {
+  const AllowedLand land({{{{-40, -30}, {-12.31, -30}, {17.99, 0.3}, {17.99, 1800}, {-40, 1800}}, {}}});
+  const SteeredPath straight = joined(kNorthwards, {{1700, 0}});
+  EXPECT_NEAR(land.missing_m(straight, outline_of(bar(36))), 0.31 / std::numbers::sqrt2, 0.02);
+  EXPECT_NEAR(land.missing_m(retraced(straight), outline_of(bar(36))), 0.31 / std::numbers::sqrt2, 0.02);
+}
+
 TEST(Room, OutsideTheLandThereIsNone) {
   const AllowedLand land({rectangle(100, 100, 200, 200)});
   EXPECT_FALSE(land.fits(half_circle(), outline_of(bar(12))));

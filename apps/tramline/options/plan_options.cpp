@@ -272,7 +272,7 @@ void add_rate_options(CommandOptions& command, RateOptions& o) {
       "Seed, spray or fertiliser, in euros per hectare: land worked twice gets it twice.", usual);
   add(&Rates::margin_per_ha, "€", "What a hectare left unworked loses, in euros.", usual);
   add(&Rates::price_per_stop, "€",
-      "What it costs, besides time, to back out of an end that has no way off, in euros.", "5");
+      "What it costs, besides time, to back out of an end that has no way off, in euros.", "1");
 }
 
 void add_objective_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {

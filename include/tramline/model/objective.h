@@ -64,8 +64,8 @@ struct WholeCost {
   double euros() const { return hours + fuel + overlap + missed + stops + driven_over + without_room; }
 };
 
-/// What a leg without room counts in the whole cost, €: ten stops at the usual price, for what the driver has
-/// to think of there.
+/// What a leg without room counts in the whole cost, €: half an hour of a usual machine, for what the driver
+/// has to think of there.
 inline constexpr double kPriceWithoutRoom = 50;
 
 /// The whole cost as a plan file states it, and the rates it was counted by, which are all given.

@@ -34,7 +34,9 @@ constexpr std::array<Usual, 9> kUsual{{
     {Operation::kDrone, "drone", 5, 60, 0, 60, 400, false},
 }};
 constexpr double kUsualFuelPrice = 1.2;  // euros per litre
-constexpr double kUsualStopPrice = 5;    // euros, as Objective::stop
+/// Euros for the soil that is pressed and the care it takes; the time counts besides, unlike in
+/// Objective::stop.
+constexpr double kUsualStopPrice = 1;
 
 const Usual& usual_of(Operation operation) {
   for (const Usual& usual : kUsual)

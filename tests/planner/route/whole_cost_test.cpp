@@ -167,7 +167,8 @@ TEST(CheapestRoute, CostsNoMoreThanThePlanOfLeastCost) {
 // Prices of tracks, by hand: 3 m · 2.5 m/s work 0.75 ha in 1,000 s. An hour costs 90 € and 20 l at 1.5 €:
 // 120 €/h, so that a second is 1/30 € and a m² 1/225 €. Overlap also takes 100 €/ha / 4 of input, and
 // uncovered land loses 1,000 €/ha less the work. With the work off a second costs (90 + 15)/3,600 €; half a
-// circle of 6 m at 1.5 m/s takes 4π s, and from 12 m there is no way left to the fourth track.
+// circle of 6 m at 1.5 m/s takes 4π s, and from 12 m there is no way left to the fourth track. A stop
+// takes a minute, and its price.
 TEST(TrackPrices, AreWhatIsCalculatedByHand) {
   Machine machine;
   machine.rates = {Operation::kGeneral, 90, 20, 1.5, 4, 100, 1000, 7};
@@ -175,7 +176,7 @@ TEST(TrackPrices, AreWhatIsCalculatedByHand) {
   EXPECT_NEAR(prices.overlap, 0.01 / 4 + 1.0 / 225, 1e-12);
   EXPECT_NEAR(prices.uncovered, 0.1 - 1.0 / 225, 1e-12);
   EXPECT_NEAR(prices.turn, 4 * std::numbers::pi * 105 / 3600, 1e-12);
-  EXPECT_EQ(prices.stop, 7);
+  EXPECT_NEAR(prices.stop, 7 + 60 * 105.0 / 3600, 1e-12);
   // Land that loses less than its work costs is still worked.
   machine.rates.margin_per_ha = 10;
   EXPECT_NEAR(track_prices(machine).uncovered, 1e-4, 1e-12);

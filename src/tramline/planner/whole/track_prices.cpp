@@ -10,6 +10,8 @@ namespace tramline {
 namespace {
 
 constexpr double kLeastShareOfMargin = 0.1;
+/// About what it takes to back out of an end and drive round to the next track.
+constexpr double kBackOut_s = 60;
 constexpr double kWayToSubfield_s = 60;
 
 double quickest_turn_s(const Machine& machine) {
@@ -32,7 +34,7 @@ Objective track_prices(const Machine& machine) {
   out.overlap = overlap_price_per_m2(rates) + work;
   out.uncovered = std::max(margin - work, kLeastShareOfMargin * margin);
   out.turn = second.work_off * quickest_turn_s(machine);
-  out.stop = rates.price_per_stop;
+  out.stop = rates.price_per_stop + second.work_off * kBackOut_s;
   out.subfield = second.work_off * kWayToSubfield_s;
   return out;
 }

@@ -11,7 +11,8 @@ namespace tramline {
 /// time at work is a price of overlap and a gain of uncovered land: overlap costs the input of one section
 /// and the work, uncovered land the margin less the work, at least a tenth of the margin. A turn costs the
 /// quickest one between parallel tracks: half a circle and the straight that is left to the nearest track
-/// that is not nearer than a diameter. A further subfield costs a minute on the way. O(1).
+/// that is not nearer than a diameter. A stop costs its price and a minute to back out and drive round, a
+/// further subfield a minute on the way. O(1).
 Objective track_prices(const Machine& machine);
 
 }  // namespace tramline

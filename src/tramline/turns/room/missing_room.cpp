@@ -102,6 +102,7 @@ class MissingRoom {
 
   double greatest(double enough_m) {
     for (std::size_t i = 0; i < path_.size(); ++i) {
+      measure_at_ends(i);
       for (const Box& part : outline_.on_machine) add_sides(part, false, i, 0, path_[i].length_m);
       if (!outline_.tows()) continue;
       const double pieces = towed_->pieces(i);
@@ -122,6 +123,23 @@ class MissingRoom {
   MotionPiece motion(const SideOnWay& side) const {
     return side.of_implement ? towed_->motion(side.stretch, side.from_m, side.to_m)
                              : machine_motion(path_[side.stretch], side.from_m, side.to_m);
+  }
+
+  /// Corners reach out farthest where stretches begin and end, on the whole. Known early, they spare many
+  /// places along an edge that a long stretch follows.
+  void measure_at_ends(std::size_t stretch) {
+    for (const double at_m : {0.0, path_[stretch].length_m}) {
+      const Placement machine = placed(pose_after(path_[stretch], at_m));
+      for (const Box& part : outline_.on_machine) measure_corners(part, machine);
+      if (!outline_.tows()) continue;
+      const Placement implement = towed_->implement(stretch, at_m);
+      for (const Box& part : outline_.on_implement) measure_corners(part, implement);
+    }
+  }
+
+  void measure_corners(const Box& part, const Placement& frame) {
+    for (const Point corner : corners_of(part))
+      best_ = std::max(best_, land_.distance_from(to_ground(frame, corner)));
   }
 
   void add_sides(const Box& part, bool of_implement, std::size_t stretch, double from_m, double to_m) {
