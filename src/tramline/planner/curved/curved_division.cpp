@@ -61,8 +61,8 @@ std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vecto
       const auto whole = merged_shape(a.ground.subfield.shape, b.ground.subfield.shape);
       if (!whole) continue;
       PricedGround one = along_curve(task, *whole, context, a.price + b.price);
-      if (one.price < a.price + b.price)
-        found.push_back(Pair{pair, std::move(one), a.price + b.price - one.price});
+      const double saved = a.price + b.price - one.price;
+      if (saved > 0) found.emplace_back(Pair{pair, std::move(one), saved});
     }
     return found;
   };

@@ -28,7 +28,7 @@ PriceGrid grid_of(const Region& turned, const Box& box, Direction along, double 
       const double low = out.corner.y + row * side_m;
       const double inside_m2 = area_between(profiles[static_cast<std::size_t>(column)], low, low + side_m);
       if (!(inside_m2 > 0)) continue;
-      out.index[static_cast<std::size_t>(column * out.rows + row)] = static_cast<int>(out.cells.size());
+      out.index[out.place(column, row)] = static_cast<int>(out.cells.size());
       out.cells.push_back({column, row, inside_m2});
     }
   return out;
@@ -148,7 +148,7 @@ void GroundLabels::gather(const PriceGrid& grid, const std::vector<std::uint8_t>
   const auto label = [&](int x, int y) {
     const int column = std::clamp((x - margin) / by_side, 0, grid.columns - 1);
     const int row = std::clamp((y - margin) / by_side, 0, grid.rows - 1);
-    return grid.index[static_cast<std::size_t>(column * grid.rows + row)];
+    return grid.index[grid.place(column, row)];
   };
   const std::vector<std::pair<int, int>> near = neighbourhood(reach_m * per_m_);
   std::map<std::vector<int>, std::int32_t> known;

@@ -1,6 +1,7 @@
 #pragma once
 // The ground as pixels, each with the price cells that are near it.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,11 @@ struct PriceGrid {
   };
   std::vector<Cell> cells;
   std::vector<int> index;  ///< of the cell in a column and row, column by column; −1: no land there
+
+  /// Where in `index` a column and row is.
+  std::size_t place(int column, int row) const {
+    return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row);
+  }
 
   Box box(const Cell& cell) const {
     const Point low = corner + Point{cell.column * side_m, cell.row * side_m};

@@ -59,7 +59,7 @@ class WideStrips {
     const Box reach = bounds(turned);
     first_ = static_cast<int>(std::floor((reach.min_x - centre.x - width_m_ - stray_m_) / step_m_)) - 1;
     const int last = static_cast<int>(std::ceil((reach.max_x - centre.x + stray_m_) / step_m_)) + 1;
-    runs_.assign(static_cast<std::size_t>(last - first_ + 1), {});
+    runs_.assign(static_cast<std::size_t>(last - first_) + 1, {});
     thread_local StripFold fold;
     for (int offset = 0; offset < kOverlaps; ++offset) {
       // Wide strip k of this offset holds all swaths whose left line lies in step kOverlaps·k + offset.

@@ -74,7 +74,7 @@ Pose pose_on(const SteeredPath& path, double at_m) {
 
 SteeredPath axle_path(const Path& path, const Turning& turning) {
   const double back_m = reach_back_m(turning);
-  const SteeredPath whole = steered(path);
+  SteeredPath whole = steered(path);
   if (back_m == 0) return whole;
   const double length_m = length(whole);
   SteeredPath out;

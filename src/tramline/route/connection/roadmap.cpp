@@ -20,8 +20,8 @@ std::vector<SteeredPath> divided(const SteeredPath& path, std::size_t parts) {
     while (from_m < whole.length_m) {
       const bool last = part + 1 == parts;
       const double take_m = last ? whole.length_m - from_m : std::min(left_m, whole.length_m - from_m);
-      for (SteeredStretch& stretch : part_of({whole}, from_m, from_m + take_m))
-        out[part].push_back(std::move(stretch));
+      for (const SteeredStretch& stretch : part_of({whole}, from_m, from_m + take_m))
+        out[part].push_back(stretch);
       from_m += take_m;
       left_m -= take_m;
       if (left_m > 0 || last) continue;

@@ -56,15 +56,16 @@ std::vector<RoadmapWays::Word>& RoadmapWays::changes(std::size_t pose) {
 
 std::vector<RoadmapWays::Word>& RoadmapWays::words_from(const Pose& pose) {
   const auto [known, is_new] = words_from_.try_emplace(key_of(pose));
-  if (!is_new) return known->second;
+  std::vector<Word>& words = known->second;
+  if (!is_new) return words;
   const double longest_m = longest_word_m(), radius_m = ground_.machine().radius_m;
   const Point ahead = pose.heading.unit();
   roadmap_.each_near(pose.at, reach_m_, [&](std::size_t i) {
     const RoadmapPose& to = roadmap_.poses()[i];
     const double length_m = dubins_length(relative(pose, ahead, to.pose, to.ahead), radius_m);
-    if (length_m <= longest_m) known->second.push_back({i, length_m});
+    if (length_m <= longest_m) words.push_back({i, length_m});
   });
-  return known->second;
+  return words;
 }
 
 std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to, Words words) {

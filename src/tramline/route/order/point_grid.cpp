@@ -20,7 +20,7 @@ PointGrid::PointGrid(const std::vector<Point>& points) : points_(points) {
   rows_ = static_cast<int>(box_.height() / cell_m_) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::size_t i = 0; i < points.size(); ++i)
-    cells_[static_cast<std::size_t>(row_of(points[i]) * columns_ + column_of(points[i]))].push_back(i);
+    cells_[place(column_of(points[i]), row_of(points[i]))].push_back(i);
 }
 
 int PointGrid::column_of(Point p) const {
@@ -31,14 +31,19 @@ int PointGrid::row_of(Point p) const {
   return std::clamp(static_cast<int>(std::floor((p.y - box_.min_y) / cell_m_)), 0, rows_ - 1);
 }
 
+std::size_t PointGrid::place(int column, int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
+}
+
 void PointGrid::remove(std::size_t index) {
   const Point p = points_[index];
-  std::erase(cells_[static_cast<std::size_t>(row_of(p) * columns_ + column_of(p))], index);
+  std::erase(cells_[place(column_of(p), row_of(p))], index);
 }
 
 void PointGrid::add_cell(int column, int row, Point p, std::vector<Found>& found) const {
   if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
-  for (const std::size_t i : cells_[static_cast<std::size_t>(row * columns_ + column)])
+  for (const std::size_t i : cells_[place(column, row)])
     found.push_back({dot(points_[i] - p, points_[i] - p), i});
 }
 

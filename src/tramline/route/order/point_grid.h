@@ -27,6 +27,7 @@ class PointGrid {
   };
   int column_of(Point p) const;
   int row_of(Point p) const;
+  std::size_t place(int column, int row) const;  ///< of a cell in `cells_`
   void add_cell(int column, int row, Point p, std::vector<Found>& found) const;
 
   std::vector<Point> points_;
