@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planner/route/strip.h"
 #include "tramline/planner/plans/cheapest_route.h"
@@ -16,8 +17,7 @@ namespace {
 
 /// 40 m by 200 m towards the north, with two passes of 6 m along its short sides and none along the others,
 /// and tracks across it. Time costs nothing.
-LaidOut across_the_strip() {
-  const Field field = testing::strip_field();
+LaidOut across_the_strip(const Field& field = testing::strip_field()) {
   Machine machine = testing::strip_machine();
   machine.rates.price_per_hour = machine.rates.fuel_l_per_h = 0;
   PlanSettings settings;
@@ -91,6 +91,21 @@ TEST(AllRoundTheCompass, BeginsWithTheLowestFloorsForAnyNumberOfThreads) {
         EXPECT_GE(floor_of(other), floor_of(all.back()) - kRounding) << deg << "° " << eighths;
       }
     }
+}
+
+// A pond of 8 m that tracks cut or go round: of all directions and grids, each with its ways round, none has
+// a lower floor than the first.
+TEST(AllRoundTheCompass, FindsTheLowestFloorAmongObstacles) {
+  Field field = testing::strip_field();
+  field.obstacles.push_back({{{{16, 90}, {24, 90}, {24, 98}, {16, 98}}, {}}, ObstacleKind::kObstacle, ""});
+  const LaidOut across = across_the_strip(field);
+  const std::vector<LaidOut> all = all_round_the_compass(across, 4, SearchContext(1));
+  ASSERT_EQ(all.size(), 4U);
+  double least = std::numeric_limits<double>::infinity();
+  for (double deg = 0; deg < 180; deg += 3)
+    for (int eighths = 0; eighths < 8; ++eighths)
+      least = std::min(least, floor_of(on_grid(across, deg, eighths * 6.0 / 8)));
+  EXPECT_NEAR(floor_of(all.front()), least, kRounding);
 }
 
 TEST(Beside, TurnsAndMovesALittle) {

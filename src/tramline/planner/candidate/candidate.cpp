@@ -84,6 +84,12 @@ Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>&
   return out;
 }
 
+Candidate cut_candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
+  Candidate out = laid_on(task, lined_subfields);
+  out.avoided = all_cut(avoidance_task(task, out));
+  return out;
+}
+
 double cost_by_rule(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
   const Candidate laid = laid_on(task, lined_subfields);
   PlanSettings settings = task.settings;

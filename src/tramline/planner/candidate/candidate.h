@@ -44,6 +44,9 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 /// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
+/// The same with all tracks cut at obstacles: much sooner, and no plan to be driven where a way round pays.
+Candidate cut_candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
+
 /// Sets the tally and the cost of its tracks anew, after some of them were left out.
 void settle_cost(const SearchTask& task, Candidate& candidate);
 

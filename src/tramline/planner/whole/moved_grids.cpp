@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -20,6 +21,10 @@ constexpr int kOffsets = 8;
 /// Directions all round, and what lies between two of them.
 constexpr int kDirections = 60;
 constexpr double kApart_deg = 3;
+/// Among obstacles ways past them are looked for on so many times as many grids as are drafted.
+constexpr std::size_t kLookedInto = 8;
+
+using CandidateOf = std::function<Candidate(std::size_t line)>;
 
 /// The lines moved across and turned about a point.
 std::vector<LinedSubfield> moved(std::vector<LinedSubfield> lined, double by_m, Angle turned, Point about) {
@@ -65,27 +70,46 @@ Plan tracks_alone(const SearchTask& task, const Candidate& candidate) {
   return out;
 }
 
+/// Of some lines the `most` on which candidates have the lowest floors, these first.
+std::vector<std::size_t> of_lowest_floors(const std::vector<std::size_t>& among, std::size_t most,
+                                          const AllowedLand& land, const SearchTask& task,
+                                          const CandidateOf& candidate_of, const SearchContext& context) {
+  std::vector<std::pair<double, std::size_t>> floors(among.size());
+  for_each_index(among.size(), context, [&](std::size_t i) {
+    const Candidate candidate = candidate_of(among[i]);
+    const double floor = candidate.works() ? route_floor(tracks_alone(task, candidate), land)
+                                           : std::numeric_limits<double>::infinity();
+    floors[i] = {floor, among[i]};
+  });
+  std::ranges::sort(floors);
+  std::vector<std::size_t> out;
+  for (const auto& [floor, line] : floors)
+    if (out.size() < most && std::isfinite(floor)) out.push_back(line);
+  return out;
+}
+
 /// Tracks on the lines, of so many directions, behind the passes of a layout: the `most` of them of the
-/// lowest floors.
-std::vector<LaidOut> of_lowest_floors(const LaidOut& laid,
-                                      const std::vector<std::vector<LinedSubfield>>& lines, int directions,
-                                      std::size_t most, const SearchContext& context) {
+/// lowest floors. Among obstacles ways past them are looked for only where the floor is low with all tracks
+/// cut, because that takes a hundred times as long.
+std::vector<LaidOut> drafted_of_lowest_floors(const LaidOut& laid,
+                                              const std::vector<std::vector<LinedSubfield>>& lines,
+                                              int directions, std::size_t most,
+                                              const SearchContext& context) {
   const PlanningProblem problem = problem_of(laid);
   const PreparedField& prepared = laid.trial.prepared;
   const SearchTask task(problem, prepared);
-  std::vector<double> floors(lines.size(), std::numeric_limits<double>::infinity());
-  for_each_index(lines.size(), context, [&](std::size_t i) {
-    const Candidate candidate = candidate_on(task, lines[i]);
-    if (candidate.works()) floors[i] = route_floor(tracks_alone(task, candidate), *prepared.turning_land);
-  });
+  const AllowedLand& land = *prepared.turning_land;
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return floors[i]; });
-  order.resize(std::min(order.size(), most));
+  if (!problem.field.obstacles.empty())
+    order = of_lowest_floors(
+        order, kLookedInto * most, land, task,
+        [&](std::size_t i) { return cut_candidate_on(task, lines[i]); }, context);
+  order = of_lowest_floors(
+      order, most, land, task, [&](std::size_t i) { return candidate_on(task, lines[i]); }, context);
   std::vector<LaidOut> out;
   for (const std::size_t i : order)
-    if (std::isfinite(floors[i]))
-      out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i]), directions));
+    out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i]), directions));
   return out;
 }
 
@@ -101,7 +125,7 @@ std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchC
   for (const double turned_deg : kTurned_deg)
     for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i)
       lines.push_back(moved(lined, i * step_m, Angle::degrees(turned_deg), middle));
-  return of_lowest_floors(laid, lines, kTurned_deg.size(), most, context);
+  return drafted_of_lowest_floors(laid, lines, kTurned_deg.size(), most, context);
 }
 
 std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
@@ -113,7 +137,7 @@ std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most
       lines.push_back(on_one_grid(laid.trial.prepared.ground.plannable,
                                   Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
                                   i * step_m));
-  return of_lowest_floors(laid, lines, kDirections, most, context);
+  return drafted_of_lowest_floors(laid, lines, kDirections, most, context);
 }
 
 }  // namespace tramline
