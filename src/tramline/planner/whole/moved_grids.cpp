@@ -90,7 +90,7 @@ std::vector<std::size_t> of_lowest_floors(const std::vector<std::size_t>& among,
 
 /// Tracks on the lines, of so many directions, behind the passes of a layout: the `most` of them of the
 /// lowest floors. Among obstacles ways past them are looked for only where the floor is low with all tracks
-/// cut, because that takes a hundred times as long.
+/// cut, because that takes many times as long.
 std::vector<LaidOut> drafted_of_lowest_floors(const LaidOut& laid,
                                               const std::vector<std::vector<LinedSubfield>>& lines,
                                               int directions, std::size_t most,
