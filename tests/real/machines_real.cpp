@@ -135,6 +135,9 @@ Fared plan_and_verify(const Field& field, int number, Random random) {
   const PlanSettings settings = random_settings(random, field);
   const std::string file =
       (fs::temp_directory_path() / fmt::format("tramline-{}-{}.gpkg", ::getpid(), random())).string();
+  // Before the plan, so that a field that takes long tells which one it is.
+  fmt::print("  {}: {} {}\n", number, field.id, words_of(machine, settings));
+  std::fflush(stdout);
   Fared out;
   std::vector<std::string> faults;
   try {
@@ -149,8 +152,7 @@ Fared plan_and_verify(const Field& field, int number, Random random) {
       add_failure(error, faults);
   }
   out.faulty = !faults.empty();
-  fmt::print("  {}: {} {}: {}\n", number, field.id, out.planned ? "planned" : "refused",
-             words_of(machine, settings));
+  fmt::print("  {}: {}\n", number, out.planned ? "planned" : "refused");
   print_faults(field, faults);
   std::error_code ignored;
   if (out.faulty)
