@@ -22,6 +22,11 @@ double stop_seconds(const Rates& rates) {
   return second > 0 ? std::min(kLongestStop_s, rates.price_per_stop / second) : 0;
 }
 
+double driven_over_seconds_per_m(const Rates& rates) {
+  const double second = second_prices(rates).work_off;
+  return second > 0 ? driven_over_price_per_m(rates) / second : 0;
+}
+
 std::string fault_of(const RateNumber& number, double value) {
   // Written so that NaN is a fault.
   const bool in_range = value >= number.least && value <= number.most;

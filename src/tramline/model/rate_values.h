@@ -50,6 +50,16 @@ inline double overlap_price_per_m2(const Rates& rates) {
 }
 inline double missed_price_per_m2(const Rates& rates) { return rates.margin_per_ha / 1e4; }
 
+/// Width of the land under the wheels of a machine, m: two wheel tracks of 0.6 m.
+inline constexpr double kWheelTracks_m = 1.2;
+/// Euros per metre that leads over land of the tracks with the work off: the margin of the standing crop
+/// under the wheels, 0 where the operation works none.
+inline double driven_over_price_per_m(const Rates& rates) {
+  return works_standing_crop(rates.operation) ? missed_price_per_m2(rates) * kWheelTracks_m : 0;
+}
+/// The same in seconds with the work off; 0 where these cost nothing.
+double driven_over_seconds_per_m(const Rates& rates);
+
 /// What is wrong with a value of this number, as the rest of a sentence after its name; empty where nothing
 /// is. NaN and infinity are faults.
 std::string fault_of(const RateNumber& number, double value);

@@ -7,8 +7,6 @@ namespace tramline {
 namespace {
 
 constexpr double kSecondsPerHour = 3600;
-/// Width of the land under the wheels of a machine, m: two wheel tracks of 0.6 m.
-constexpr double kWheelTracks_m = 1.2;
 
 void add_time(const RouteLeg& leg, WholeCost& out) {
   switch (leg.kind) {
@@ -46,8 +44,7 @@ WholeCost whole_cost(const Plan& plan) {
   out.fuel = rates.fuel_price * out.fuel_l;
   out.overlap = overlap_price_per_m2(rates) * plan.tally.overlap_m2;
   out.missed = missed_price_per_m2(rates) * plan.tally.uncovered_m2;
-  if (works_standing_crop(rates.operation))
-    out.driven_over = missed_price_per_m2(rates) * kWheelTracks_m * plan.route.over_tracks_m;
+  out.driven_over = driven_over_price_per_m(rates) * plan.route.over_tracks_m;
   const double ideal_m2 = plan.machine.width_m * plan.machine.turning.working_speed_mps * out.time_s();
   if (ideal_m2 > 0) out.field_efficiency = (land_m2(plan) - plan.tally.uncovered_m2) / ideal_m2;
   return out;

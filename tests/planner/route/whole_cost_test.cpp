@@ -68,7 +68,6 @@ TEST(WholeCost, IsWhatIsCalculatedByHand) {
   EXPECT_NEAR(cost.field_efficiency, 9950.0 / 27000, 1e-12);
 }
 
-// Two legs that leave the land count 50 € each, which is not time.
 // 60 €/h and half of 20 l/h at 1.50 €/l are 75 € an hour with the work off: 7 € are 336 s of it.
 TEST(StopSeconds, AreThePriceOfAStopInTimeWithTheWorkOff) {
   Rates rates{Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000, 7};
@@ -79,6 +78,18 @@ TEST(StopSeconds, AreThePriceOfAStopInTimeWithTheWorkOff) {
   EXPECT_EQ(stop_seconds(rates), 0);
 }
 
+// At 75 € an hour 1.2 m of a crop of 1,000 €/ha, 0.12 €, are 5.76 s.
+TEST(DrivenOverSeconds, AreTheCropUnderTheWheelsInTimeWithTheWorkOff) {
+  Rates rates{Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000, 7};
+  EXPECT_DOUBLE_EQ(driven_over_seconds_per_m(rates), 5.76);
+  rates.operation = Operation::kSeeding;  // nothing stands yet
+  EXPECT_EQ(driven_over_seconds_per_m(rates), 0);
+  rates.operation = Operation::kSpraying;
+  rates.price_per_hour = rates.fuel_price = 0;  // time costs nothing
+  EXPECT_EQ(driven_over_seconds_per_m(rates), 0);
+}
+
+// Two legs that leave the land count 50 € each, which is not time.
 TEST(WholeCost, CountsLegsWithoutRoom) {
   Plan plan;
   plan.field = bare_field(100, 100);

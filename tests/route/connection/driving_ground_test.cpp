@@ -63,4 +63,32 @@ TEST(RoomAlongLinesAtAngles, NeverLacksUnsaid) {
   });
 }
 
+// Thirty metres over land of the tracks, 20 s at 1.5 m/s.
+double seconds_over_crop(const Rates& rates, CropDriven how) {
+  Machine machine = testing::six_metres_wide(6);
+  machine.rates = rates;
+  const testing::DrivenLand on{testing::room_with_an_arm(), machine};
+  return cost_seconds(testing::northwards({50, 10}, 30), on.ground, how);
+}
+
+TEST(CostSeconds, CountBareSoilTwiceAndASixthOfThatMoreAlongATrack) {
+  Rates seeding;
+  seeding.operation = Operation::kSeeding;
+  EXPECT_NEAR(seconds_over_crop(seeding, CropDriven::kAcross), 20 + 20, 1e-9);
+  EXPECT_NEAR(seconds_over_crop(seeding, CropDriven::kAlongTrack), 20 + 20.0 / 6, 1e-9);
+}
+
+// 1.2 m · 400 €/ha are 0.048 € a metre; at 75 €/h those are 2.304 s.
+TEST(CostSeconds, CountStandingCropAtItsPriceAndNoMoreThanTenTimesTheTime) {
+  Rates spraying;
+  spraying.operation = Operation::kSpraying;
+  spraying.price_per_hour = 75;
+  spraying.fuel_price = 0;
+  spraying.margin_per_ha = 400;
+  EXPECT_NEAR(seconds_over_crop(spraying, CropDriven::kAcross), 20 + 20 + 30 * 2.304, 1e-9);
+  EXPECT_NEAR(seconds_over_crop(spraying, CropDriven::kAlongTrack), 20 + (20 + 30 * 2.304) / 6, 1e-9);
+  spraying.margin_per_ha = 40000;
+  EXPECT_NEAR(seconds_over_crop(spraying, CropDriven::kAcross), 20 + 200, 1e-9);
+}
+
 }  // namespace tramline::driving_ground_test

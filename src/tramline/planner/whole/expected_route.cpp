@@ -13,6 +13,11 @@ namespace {
 constexpr double kOfAny = 0.4, kOfAlike = 0.6;
 constexpr double kAlike_deg = 2;
 
+/// The best order of so few tracks is found at once, and a loop more or less is a good part of what they
+/// cost: where there are no more, this share of what is expected otherwise.
+constexpr std::size_t kFewest = 11;
+constexpr double kOfFewest = 0.4;
+
 /// Of more tracks the ways between them differ too much for those of one plan to tell of another.
 constexpr std::size_t kFewPieces = 32;
 
@@ -53,7 +58,8 @@ double least_beyond_floor(const ComparedPlans& plans, const ComparedPlan& plan) 
       of_alike = std::min(of_alike, *other.beyond_floor * size_of(plan) / size_of(other));
   }
   const auto part_of = [](double part, double least) { return least == kNone ? 0.0 : part * least; };
-  return std::max(part_of(kOfAny, of_any), part_of(kOfAlike, of_alike));
+  const double share = plan.plan().pieces.size() <= kFewest ? kOfFewest : 1;
+  return share * std::max(part_of(kOfAny, of_any), part_of(kOfAlike, of_alike));
 }
 
 }  // namespace tramline

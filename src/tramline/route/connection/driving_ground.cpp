@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/route/connection/way.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/outline/tolerances.h"
@@ -22,7 +23,16 @@ std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& 
   return AllowedLand(unite(all));
 }
 
-constexpr double kMoreAcross = 3, kMoreAlongTrack = 0.5;
+/// Land of the tracks counts so many times the time over it besides that time, for the soil under the wheels
+/// and the marks on it, and besides what standing crop is worth; and no more than so many times.
+constexpr double kMoreOverSoil = 1, kMostMore = 10;
+/// Along a track the same counts this share of it.
+constexpr double kAlongTrack = 1.0 / 6;
+
+double more_over_crop_of(const Machine& machine) {
+  const double crop_s_per_m = driven_over_seconds_per_m(rates_of(machine));
+  return std::min(kMostMore, kMoreOverSoil + crop_s_per_m * machine.turning.turning_speed_mps);
+}
 
 Machine drivable(Machine machine) {
   machine.radius_m = std::max(machine.radius_m, kLeastRadius_m);
@@ -57,7 +67,8 @@ DrivingGround::DrivingGround(const AllowedLand& turning_land, const Field& field
       outline_(outline_of(machine)),
       curve_(turn_curves(drivable(machine)).forward),
       with_passables_(with_passables(turning_land, field)),
-      crop_(oriented_all(body)) {}
+      crop_(oriented_all(body)),
+      more_over_crop_(more_over_crop_of(machine)) {}
 
 std::vector<Manoeuvre> DrivingGround::words(const Pose& from, const Pose& to) const {
   return curve_.at_once() ? dubins_words(from, to, machine_.radius_m) : dubins_words(from, to, curve_);
@@ -89,7 +100,7 @@ double DrivingGround::lacking_along_m(const SteeredPath& path) const {
 
 double cost_seconds(const SteeredPath& path, const DrivingGround& ground, CropDriven how) {
   const Turning& turning = ground.machine().turning;
-  const double more = how == CropDriven::kAcross ? kMoreAcross : kMoreAlongTrack;
+  const double more = (how == CropDriven::kAcross ? 1 : kAlongTrack) * ground.more_over_crop();
   return idle_seconds(path, turning) + more * ground.over_crop_m(path) / turning.turning_speed_mps;
 }
 

@@ -49,6 +49,9 @@ class DrivingGround {
   /// The length of the path over land of the tracks, in steps of kCropStep_m, m.
   double over_crop_m(const SteeredPath& path) const { return crop_.length_over_m(path); }
 
+  /// What driving across land of the tracks counts besides its time, as a multiple of it.
+  double more_over_crop() const { return more_over_crop_; }
+
  private:
   const AllowedLand& turning_;
   Machine machine_;
@@ -56,16 +59,16 @@ class DrivingGround {
   TurnCurve curve_;
   std::optional<AllowedLand> with_passables_{};
   CropGround crop_;
+  double more_over_crop_;
 };
 
 inline constexpr double kNoticed_m = 0.005;
 
-/// What driving over crop counts besides its time, as a multiple of it: along a track, whose lines are there
-/// anyway, less than across the tracks.
+/// Driving over crop counts less along a track, whose lines are there anyway, than across the tracks.
 enum class CropDriven { kAcross, kAlongTrack };
 
-/// The time of a way, and what of it leads over crop, s: one drives round where that is not several times as
-/// far.
+/// The time of a way, and what it costs to drive over crop, s: one drives round where that is not much
+/// farther.
 double cost_seconds(const SteeredPath& path, const DrivingGround& ground,
                     CropDriven how = CropDriven::kAcross);
 
