@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <iostream>
 #include <numbers>
 
@@ -211,6 +213,12 @@ void expect_as_seen(Count& count, std::mt19937_64& random, Steering steering, bo
       const double known_m = allowed.missing_m(path, outline, share * missing_m);
       EXPECT_GE(known_m, std::min(share, 1.0) * missing_m);
       EXPECT_LE(known_m, missing_m);
+    }
+    for (const double roughly : {0.01, 0.1, 0.5}) {
+      const double roughly_m =
+          allowed.missing_m(path, outline, std::numeric_limits<double>::infinity(), roughly);
+      EXPECT_LE(roughly_m, missing_m + 0.02);
+      EXPECT_LE(missing_m, roughly_m + std::max(0.02, roughly * roughly_m));
     }
   }
 }

@@ -115,17 +115,18 @@ ComparedPlan behind(int passes, double direction_deg, std::size_t pieces,
 
 // Two fifths of 20 €; behind two passes, three tracks and what counts as two more cost 50 €, so eight and two
 // in about the same direction cost three fifths of 100 €.
+// Of plans with no more than eleven tracks two fifths of either are expected.
 TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansInTheSameDirectionBehindTheSamePasses) {
   ComparedPlans plans;
   EXPECT_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 0);
   plans = {behind(2, 89, 3, 50), behind(1, 90, 3, 20), behind(2, 90, 30, {})};
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 60);
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 93, 8, {})), 8);
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 90, 8, {})), 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 0.4 * 60);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 93, 8, {})), 0.4 * 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 90, 8, {})), 0.4 * 8);
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 33, {})), 8) << "of many tracks it tells nothing";
   ComparedPlan curved = behind(2, 90, 8, {});
   curved.laid.trial.draft.plan.subfields.front().reference.push_back({{0, 0}, {100, 0}, 0.001});
-  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, curved), 8);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, curved), 0.4 * 8);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ class RoutePlanner {
       add_part(parts[i], given);
     }
     out_.parts = parts.size();
-    if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
+    if (out_.end && !left_.empty()) legs_.add(connector_.measured(connector_.to_gate(left_, *out_.end)));
     out_.legs = std::move(legs_).finished();
     measure_room_at_work();
     return std::move(out_);
@@ -155,6 +155,7 @@ class RoutePlanner {
   void go(Way way, const SteeredPath& work) {
     if (!left_.empty() && way.has_room() && (way.backs_out || way.backs_in))
       way = connector_.with_less_backing(way, left_, work);
+    way = connector_.measured(std::move(way));
     if (!way.has_room() && !left_.empty()) way = squeezed_.along_the_land(std::move(way), left_, work);
     if (!way.path.empty()) legs_.add(way);
     left_ = driven_forward(left_, way, work);

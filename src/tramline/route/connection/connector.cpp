@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "tramline/route/axle/axle_path.h"
 #include "tramline/route/turning/planned_turns.h"
@@ -27,6 +28,9 @@ constexpr double kMostBetween = 12;
 constexpr double kComeStraightOn = 4;
 /// At a gate the machine may point anywhere; so many headings are tried.
 constexpr int kGateHeadings = 16;
+
+/// Ways without room are compared by what they lack, too little by no more than this share of it.
+constexpr double kRoughly = 0.1, kAnyRoom_m = std::numeric_limits<double>::infinity();
 
 /// A way that takes longer than this and the changes of gear is compared with backing out, s.
 constexpr double kWorthBacking_s = 150;
@@ -185,8 +189,14 @@ Way Connector::without_room(const WayEnd& begin, const WayEnd& end) const {
                                   ? shortest_dubins(begin.pose, end.pose, ground_.machine().radius_m).path
                                   : words.front().path;
   Way out = finished(LegKind::kTransit, joined(begin.path, between, end.path));
-  if (!out.path.empty()) out.missing_m = ground_.turning().missing_m(out.path, ground_.outline());
+  if (!out.path.empty())
+    out.missing_m = ground_.turning().missing_m(out.path, ground_.outline(), kAnyRoom_m, kRoughly);
   return out;
+}
+
+Way Connector::measured(Way way) const {
+  if (!way.has_room()) way.missing_m = ground_.turning().missing_m(way.path, ground_.outline());
+  return way;
 }
 
 Way Connector::between(const SteeredPath& left, const SteeredPath& entered) const {

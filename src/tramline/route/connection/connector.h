@@ -59,6 +59,10 @@ class Connector {
   /// Precondition: the way leads from `left` to `entered`, neither of them empty, and has room.
   Way with_less_backing(const Way& way, const SteeredPath& left, const SteeredPath& entered) const;
 
+  /// The way with what it lacks of room found to kMissingRoom_m. Of ways that are compared a tenth of it may
+  /// be missed, because finding all of it takes long.
+  Way measured(Way way) const;
+
   /// As between() from a place, with any heading, or to one: at a gate. It backs no farther than it has to.
   Way from_gate(Point gate, const SteeredPath& entered) const;
   Way to_gate(const SteeredPath& left, Point gate) const;

@@ -129,8 +129,9 @@ bool AllowedLand::never_leaves(const SteeredStretch& stretch, const Outline& out
   return stretch_stays(exact_, stretch, outline.on_machine);
 }
 
-double AllowedLand::missing_m(const SteeredPath& path, const Outline& outline, double enough_m) const {
-  return fits(path, outline) ? 0 : missing_room_m(land_, path, outline, enough_m);
+double AllowedLand::missing_m(const SteeredPath& path, const Outline& outline, double enough_m,
+                              double roughly) const {
+  return fits(path, outline) ? 0 : missing_room_m(land_, path, outline, enough_m, roughly);
 }
 
 }  // namespace tramline

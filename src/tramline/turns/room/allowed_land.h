@@ -39,9 +39,10 @@ class AllowedLand {
   /// 0 where it fits; otherwise found to kMissingRoom_m by bounding (the distance from the land changes by no
   /// more than a point moves), and rather too little than too much. For reports: O(n) for each of up to
   /// 30 000 places. Where it is `enough_m` or more, the answer may be less than it, but is `enough_m` at
-  /// least.
+  /// least. Where ways are only compared, the share `roughly` of it may be too little: that takes a fraction
+  /// of the places.
   double missing_m(const SteeredPath& path, const Outline& outline,
-                   double enough_m = std::numeric_limits<double>::infinity()) const;
+                   double enough_m = std::numeric_limits<double>::infinity(), double roughly = 0) const;
 
   /// The land as given, oriented.
   const Region& land() const { return land_; }

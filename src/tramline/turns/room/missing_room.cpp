@@ -95,8 +95,8 @@ struct SideOnWay {
 
 class MissingRoom {
  public:
-  MissingRoom(const Region& land, const SteeredPath& path, const Outline& outline)
-      : land_(land, reach_of(path, outline)), path_(path), outline_(outline) {
+  MissingRoom(const Region& land, const SteeredPath& path, const Outline& outline, double roughly)
+      : land_(land, reach_of(path, outline)), path_(path), outline_(outline), roughly_(roughly) {
     if (outline.tows()) towed_.emplace(path, outline);
   }
 
@@ -110,8 +110,7 @@ class MissingRoom {
         for (double k = 0; k < pieces; ++k)
           add_sides(part, true, i, k / pieces * path_[i].length_m, (k + 1) / pieces * path_[i].length_m);
     }
-    while (!queue_.empty() && queue_.top().at_most > best_ + kMissingRoom_m && best_ < enough_m &&
-           places_ < kMostPlaces) {
+    while (!queue_.empty() && may_be_greater(queue_.top()) && best_ < enough_m && places_ < kMostPlaces) {
       const SideOnWay widest = queue_.top();
       queue_.pop();
       halve(widest);
@@ -120,6 +119,10 @@ class MissingRoom {
   }
 
  private:
+  bool may_be_greater(const SideOnWay& side) const {
+    return side.at_most > best_ + std::max(kMissingRoom_m, roughly_ * best_);
+  }
+
   MotionPiece motion(const SideOnWay& side) const {
     return side.of_implement ? towed_->motion(side.stretch, side.from_m, side.to_m)
                              : machine_motion(path_[side.stretch], side.from_m, side.to_m);
@@ -162,7 +165,7 @@ class MissingRoom {
     side.at_most = from_land + side.reach_of_way + side.reach_of_side;
     best_ = std::max(best_, from_land);
     ++places_;
-    if (side.at_most > best_ + kMissingRoom_m) queue_.push(side);
+    if (may_be_greater(side)) queue_.push(side);
   }
 
   void halve(const SideOnWay& whole) {
@@ -178,6 +181,7 @@ class MissingRoom {
   LandNearby land_;
   const SteeredPath& path_;
   const Outline& outline_;
+  double roughly_;
   std::optional<TowedMotion> towed_;
   std::priority_queue<SideOnWay> queue_;
   double best_ = 0;
@@ -186,8 +190,9 @@ class MissingRoom {
 
 }  // namespace
 
-double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline, double enough_m) {
-  return MissingRoom(land, path, outline).greatest(enough_m);
+double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline, double enough_m,
+                      double roughly) {
+  return MissingRoom(land, path, outline, roughly).greatest(enough_m);
 }
 
 }  // namespace tramline
