@@ -4,8 +4,8 @@
 //   machines_real COUNT [SEED [NUMBER]]
 //
 // COUNT of all fields, drawn with SEED, which is 1 without further word; or of these the one of this NUMBER
-// alone, counted from 0. Prints a line for every field with all that was drawn, and a summary; exit code 1
-// where a plan does not hold, whose file is left in place and named.
+// alone, counted from 0. Prints for every field all that was drawn, before it is planned, and whether it was;
+// and a summary. Exit code 1 where a plan does not hold, whose file is left in place and named.
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -121,6 +121,7 @@ TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansInTheSameDirectionBehindTheSameP
   EXPECT_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 0);
   plans = {behind(2, 89, 3, 50), behind(1, 90, 3, 20), behind(2, 90, 30, {})};
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 8, {})), 0.4 * 60);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 12, {})), 0.6 * 14 * 10);
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 93, 8, {})), 0.4 * 8);
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(3, 90, 8, {})), 0.4 * 8);
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 90, 33, {})), 8) << "of many tracks it tells nothing";

@@ -24,7 +24,8 @@ std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& 
 }
 
 /// Land of the tracks counts so many times the time over it besides that time, for the soil under the wheels
-/// and the marks on it, and besides what standing crop is worth; and no more than so many times.
+/// and the marks on it, and besides what standing crop is worth; and no more than so many times, so that a
+/// way with room over crop is still taken before one without room.
 constexpr double kMoreOverSoil = 1, kMostMore = 10;
 /// Along a track the same counts this share of it.
 constexpr double kAlongTrack = 1.0 / 6;
