@@ -86,8 +86,10 @@ void add_route_options(CommandOptions& command, PlanOptions& o, PlanDefaults def
       .check(order_fault)
       .shows_default("best");
   command
-      .add_option("--headland-time", o.headland_time,
-                  "When the route works the headland passes: 'first', before all tracks, or 'last'.")
+      .add_option(
+          "--headland-time", o.headland_time,
+          "When the route works the headland passes: 'first', before all tracks, or 'last', after them; "
+          "those round obstacles then also among them, behind the tracks that end there.")
       .takes("WORD")
       .shows_default("last");
   command

@@ -37,11 +37,11 @@ struct RouteLeg {
 };
 
 /// Prices of the nodes of a route, which prove its bound (docs/route.md): of no route over these pieces and
-/// passes, with all passes before or after the tracks as asked, do the time and `stop_s` for each back_out
-/// come to less than bound_s with this machine. Two for each line, the pieces in driving order of which
-/// crossings join several, at its start and at its end; two for each open headland pass, in the order of the
-/// passes; one for the gate at which the route starts and one for that at which it ends, where there are any;
-/// one for each closed pass that has no sharp corners, in the order of the passes.
+/// passes, with all passes before or after the tracks as asked, or round obstacles among them, do the time
+/// and `stop_s` for each back_out come to less than bound_s with this machine. Two for each line, the pieces
+/// in driving order of which crossings join several, at its start and at its end; two for each open headland
+/// pass, in the order of the passes; one for the gate at which the route starts and one for that at which it
+/// ends, where there are any; one for each closed pass that has no sharp corners, in the order of the passes.
 struct RouteProof {
   double bound_s = 0;
   double stop_s = 0;  ///< what backing out counts besides its time: its price, in seconds with the work off
@@ -88,7 +88,8 @@ std::size_t legs_without_room(const Route& route, const Machine& machine);
 /// Which piece follows. kBest: the order that takes the least time. kBySpacing: neighbouring tracks, or those
 /// that PlanSettings::skip asks for.
 enum class TrackOrder { kBest, kBySpacing };
-/// When headland passes are worked: before all tracks or after them.
+/// When headland passes are worked: before all tracks, or after them, or round obstacles after the tracks
+/// that end there.
 enum class PassTime { kFirst, kLast };
 /// Which of several passes along one boundary comes first. kAny: as the way is shortest.
 enum class PassSequence { kAny, kInwards, kOutwards };

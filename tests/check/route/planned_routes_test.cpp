@@ -72,6 +72,47 @@ TEST(PlannedRoutes, hold_on_an_l_with_a_pond) {
   }
 }
 
+/// The first leg along a pass round an obstacle.
+std::size_t leg_round_obstacle(const Plan& plan) {
+  const auto found = std::ranges::find_if(plan.route.legs, [&](const RouteLeg& leg) {
+    return leg.pass && !plan.headland.passes[*leg.pass].obstacles.empty();
+  });
+  return static_cast<std::size_t>(found - plan.route.legs.begin());
+}
+
+/// The same plan, with a leg driven before all others.
+Plan with_first(Plan plan, std::size_t leg) {
+  const auto at = plan.route.legs.begin() + static_cast<std::ptrdiff_t>(leg);
+  std::rotate(plan.route.legs.begin(), at, at + 1);
+  return plan;
+}
+
+bool finds(const Plan& plan, const std::string& what) {
+  const check::Verdict verdict = check::verify(plan);
+  return std::ranges::any_of(verdict.violations, [&](const check::Violation& v) {
+    return v.rule == check::Rule::kRouteOrder && v.what.find(what) != std::string::npos;
+  });
+}
+
+// Of two ponds at opposite sides of a field the route can end its tracks at one only. The pass round the
+// other it works on its way, once the tracks that end there are done.
+TEST(PlannedRoutes, work_the_pass_round_a_pond_among_the_tracks) {
+  const Field field = with(with(field_of(box(0, 0, 300, 200)), box(60, 50, 90, 80), ObstacleKind::kObstacle),
+                           box(220, 120, 250, 150), ObstacleKind::kObstacle);
+  PlanSettings settings = whole_route(2);
+  settings.obstacle_headlands = 1;
+  settings.avoid = Avoidance::kCut;
+  const Plan plan = expect_route_holds(field, machine(6, 6), settings);
+  const std::size_t round = leg_round_obstacle(plan);
+  const auto& legs = plan.route.legs;
+  ASSERT_LT(round, legs.size());
+  const auto is_track = [](const RouteLeg& leg) { return leg.piece.has_value(); };
+  EXPECT_TRUE(std::any_of(legs.begin() + static_cast<std::ptrdiff_t>(round), legs.end(), is_track));
+  EXPECT_FALSE(finds(plan, "works a track"));
+  EXPECT_TRUE(finds(with_first(plan, round), "works a track that ends beside headland pass"));
+  EXPECT_TRUE(finds(with_first(plan, legs.size() - 1), "works a track after the passes"));
+}
+
 TEST(PlannedRoutes, hold_across_a_ditch) {
   const Field field = with(field_of(box(0, 0, 200, 100)), box(90, -5, 95, 105), ObstacleKind::kPassable);
   Field clipped = field;

@@ -88,9 +88,9 @@ void check_turns(const Case& c, Violations& out);
 bool check_route_is_sound(const Plan& plan, Violations& out);
 /// The route drives every piece once, in the order of the plan, and every headland pass once, in one go,
 /// either way round and from any place where it is closed; before all pieces or after them, and in the
-/// sequence, as the settings ask. Crossings are driven straight on. Each work leg is where the axle is while
-/// the implement works its piece. The work is on along pieces and passes, off on passable obstacles, and off
-/// everywhere else.
+/// sequence, as the settings ask; round obstacles also behind the pieces that end beside the pass. Crossings
+/// are driven straight on. Each work leg is where the axle is while the implement works its piece. The work
+/// is on along pieces and passes, off on passable obstacles, and off everywhere else.
 void check_route_order(const Case& c, Violations& out);
 /// Each leg begins in the pose in which the one before it ends, the first at the start gate; the last ends at
 /// the end gate, or as near to it as the machine has room; without gates both are at work. A leg has one

@@ -21,7 +21,7 @@ struct RouteGate {
 
 /// What a bound of a route joins, in the numbering of RouteProof. A route works tracks and passes in phases:
 /// all tracks of a part of the land and then all passes there, or the other way round, and then those of the
-/// next.
+/// next. Passes round obstacles that are worked between tracks are in the phase of these.
 struct RouteMembers {
   std::vector<RouteLine> lines;          ///< tracks, then open passes
   std::vector<std::size_t> line_phases;  ///< of each line

@@ -71,7 +71,7 @@ void LegList::add(const order::WorkedLine& line, std::size_t first_piece) {
     leg.kind = LegKind::kWork;
     leg.work = true;
     leg.piece = first_piece + i;
-    leg.path = axle_path(line[i], turning_);
+    leg.path = axle_path(line[i], *turning_);
     if (i > 0) {
       RouteLeg across;
       across.kind = LegKind::kTransit;
@@ -84,8 +84,8 @@ void LegList::add(const order::WorkedLine& line, std::size_t first_piece) {
 }
 
 void LegList::add(const HeadlandPass& pass, std::size_t number, const PassEntry& entry) {
-  const SteeredPath axle = axle_path(pass, entry, turning_);
-  const Region passable = passables(field_);
+  const SteeredPath axle = axle_path(pass, entry, *turning_);
+  const Region passable = passables(*field_);
   for (const PassPart& part : parts_of(steered(worked_path(pass, entry)), passable)) {
     RouteLeg leg;
     leg.kind = part.work ? LegKind::kHeadland : LegKind::kTransit;
@@ -103,7 +103,7 @@ double leg_seconds(const RouteLeg& leg, Gear before, const Turning& turning) {
 std::vector<RouteLeg> LegList::finished() && {
   Gear gear = Gear::kForward;
   for (RouteLeg& leg : legs_) {
-    leg.time_s = leg_seconds(leg, gear, turning_);
+    leg.time_s = leg_seconds(leg, gear, *turning_);
     gear = leg.gear;
   }
   return std::move(legs_);

@@ -17,7 +17,7 @@ namespace tramline {
 class LegList {
  public:
   /// Both outlive the list.
-  LegList(const Field& field, const Turning& turning) : field_(field), turning_(turning) {}
+  LegList(const Field& field, const Turning& turning) : field_(&field), turning_(&turning) {}
 
   void add(const Way& way);
   /// The pieces of a line in the sense in which it is driven. `first_piece`: the index of its first piece in
@@ -31,8 +31,8 @@ class LegList {
   std::vector<RouteLeg> finished() &&;
 
  private:
-  const Field& field_;
-  const Turning& turning_;
+  const Field* field_;
+  const Turning* turning_;
   std::vector<RouteLeg> legs_;
 };
 

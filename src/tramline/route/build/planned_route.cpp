@@ -4,17 +4,18 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <memory>
 
 #include "tramline/model/rate_values.h"
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
-#include "tramline/route/build/leg_list.h"
 #include "tramline/route/build/lines_through_narrows.h"
+#include "tramline/route/build/passes_on_the_way.h"
+#include "tramline/route/build/route_driver.h"
 #include "tramline/route/build/tour_as_driven.h"
 #include "tramline/route/build/work_by_part.h"
 #include "tramline/route/connection/squeezed_way.h"
-#include "tramline/route/order/point_grid.h"
-#include "tramline/route/passes/pass_tour.h"
+#include "tramline/route/passes/next_pass.h"
 #include "tramline/turns/track_ends.h"
 
 namespace tramline {
@@ -69,49 +70,56 @@ class RoutePlanner {
                   [this](const DrivingGround& narrowed) { return roadmap_for(narrowed); }),
         least_(task.machine),
         entries_(entries_by_pass(task.headland, task.machine)),
-        legs_(task.field, turning_) {
+        start_(with_room(task.settings.route.start, ground_)),
+        end_(with_room(task.settings.route.end, ground_)),
+        driver_(task, {lines, route_lines_, entries_, connector_, squeezed_, least_}, start_) {
     for (const order::WorkedLine& line : lines) route_lines_.push_back(route_line(line, turning_));
-    out_.start = with_room(task.settings.route.start, ground_);
-    out_.end = with_room(task.settings.route.end, ground_);
   }
 
   PlannedRoute run(const std::vector<order::Tour>& given) {
-    const std::vector<PartWork> parts =
-        work_by_part(route_lines_, task_.headland, {out_.start, out_.end}, ground_);
+    const std::vector<PartWork> parts = work_by_part(route_lines_, task_.headland, {start_, end_}, ground_);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      leaves_part_ = i > 0;
-      ahead_ = i + 1 < parts.size() ? parts[i].next : out_.end;
+      if (i > 0) driver_.leave_part();
+      ahead_ = i + 1 < parts.size() ? parts[i].next : end_;
       add_part(parts[i], given);
     }
-    out_.parts = parts.size();
-    if (out_.end && !left_.empty()) legs_.add(connector_.measured(connector_.to_gate(left_, *out_.end)));
-    out_.legs = std::move(legs_).finished();
-    measure_room_at_work();
-    return std::move(out_);
+    if (end_) driver_.drive_to(*end_);
+    RouteSoFar driven = driver_.so_far();
+    PlannedRoute out;
+    out.tour = std::move(driven.tour);
+    out.legs = std::move(driven.legs).finished();
+    out.gave_up = gave_up_;
+    out.parts = parts.size();
+    out.start = start_;
+    out.end = end_;
+    measure_room_at_work(out.legs);
+    return out;
   }
 
  private:
-  /// Passes that are ordered together.
-  struct Group {
-    std::vector<std::size_t> passes{};
-    bool as_lines = false;  ///< they have two ends, like tracks
-  };
-  using Groups = std::vector<Group>;
+  using Groups = std::vector<PassGroup>;
 
   void add_part(const PartWork& work, const std::vector<order::Tour>& given) {
     const Groups groups = pass_groups(work.passes);
     const bool first = task_.settings.route.passes == PassTime::kFirst;
     if (first) add_passes(groups);
-    add_tracks(work.lines, given,
-               first || groups.empty() ? std::vector<std::size_t>{} : groups.front().passes);
-    if (!first) add_passes(groups);
+    OrderedTracks tracks =
+        ordered_tracks(work.lines, given, first || groups.empty() ? PassGroup{} : groups.front());
+    if (first) return drive_tracks(driver_, tracks, {});
+    const RouteSoFar before = driver_.so_far();
+    drive_with_passes_on_the_way(driver_, tracks.tour, closed_passes(groups), ahead_,
+                                 [&](const std::vector<PassesBetween>& between) {
+                                   driver_.go_back_to(before);
+                                   drive_tracks(driver_, tracks, between);
+                                   add_passes(others(groups, between));
+                                 });
   }
 
   /// What lies ahead of the work or behind it may swing off the land in corners of passes and at the ends of
   /// tracks, where the implement itself does not.
-  void measure_room_at_work() {
+  void measure_room_at_work(std::vector<RouteLeg>& legs) const {
     if (machine_is_its_bar(task_.machine)) return;
-    for (RouteLeg& leg : out_.legs)
+    for (RouteLeg& leg : legs)
       if (leg.work) leg.missing_m = ground_.lacking_along_m(leg.path);
   }
 
@@ -134,37 +142,15 @@ class RoutePlanner {
     return {lines, roadmap_spacing_m()};
   }
 
-  /// The way from where the route is, or from its gate, to the beginning of a work.
-  Way way_to(const SteeredPath& entered) const {
-    if (!left_.empty()) return connector_.between(left_, entered);
-    return out_.start ? connector_.from_gate(*out_.start, entered) : Way{};
-  }
-
   /// `axle`: the way over the first work.
   Way way_to_first(order::End entered, const SteeredPath& axle, const KnownCosts& costs) const {
-    if (leaves_part_) return way_to(axle);
-    return left_.empty() && !out_.start ? Way{} : costs.way_to_first(entered);
+    if (so_far().leaves_part) return driver_.way_to(axle);
+    return so_far().left.empty() && !start_ ? Way{} : costs.way_to_first(entered);
   }
 
   BeforeLines before_lines(const KnownCosts& costs) const {
-    return {left_,
+    return {so_far().left,
             [&](order::End entered, const SteeredPath& axle) { return way_to_first(entered, axle, costs); }};
-  }
-
-  /// Goes a way to a work and over it.
-  void go(Way way, const SteeredPath& work) {
-    if (!left_.empty() && way.has_room() && (way.backs_out || way.backs_in))
-      way = connector_.with_less_backing(way, left_, work);
-    way = connector_.measured(std::move(way));
-    if (!way.has_room() && !left_.empty()) way = squeezed_.along_the_land(std::move(way), left_, work);
-    if (!way.path.empty()) legs_.add(way);
-    left_ = driven_forward(left_, way, work);
-    leaves_part_ = false;
-  }
-
-  /// `gate`: where the route goes once they are worked.
-  PassTask pass_task(const std::vector<std::size_t>& passes, std::optional<Point> gate = {}) const {
-    return {task_.headland, entries_, passes, task_.settings.route.sequence, connector_, least_, gate};
   }
 
   /// Those round the outside first where passes come first, and last where they come last: the others lie
@@ -172,39 +158,27 @@ class RoutePlanner {
   void add_passes(const Groups& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (groups[i].as_lines)
-        add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1].passes : std::vector<std::size_t>{});
+        add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1] : PassGroup{});
       else
-        add_nearest(groups[i].passes,
-                    i + 1 == groups.size() && task_.settings.route.passes == PassTime::kLast);
+        driver_.drive_passes(groups[i]);
   }
 
   /// In the order in which they are driven.
   Groups pass_groups(const std::vector<std::size_t>& passes) const {
-    Group open{{}, true}, closed, all{passes};
+    PassGroup open{{}, true}, closed, all{passes};
     for (const std::size_t i : passes)
       (is_closed(task_.headland.passes[i]) ? closed : open).passes.push_back(i);
     Groups out{open, closed};
     if (task_.settings.route.passes == PassTime::kFirst) std::swap(out.front(), out.back());
     if (task_.settings.route.sequence != PassSequence::kAny) out = {all};
-    std::erase_if(out, [](const Group& group) { return group.passes.empty(); });
+    std::erase_if(out, [](const PassGroup& group) { return group.passes.empty(); });
+    if (!out.empty() && task_.settings.route.passes == PassTime::kLast) out.back().ahead = ahead_;
     return out;
   }
 
-  /// Passes in the order in which each is the nearest, or one after another.
-  void add_nearest(const std::vector<std::size_t>& passes, bool ends) {
-    const std::vector<WorkedPass> tour =
-        pass_tour(pass_task(passes, ends ? ahead_ : std::optional<Point>{}), left_);
-    for (const WorkedPass& worked : tour) {
-      const HeadlandPass& pass = task_.headland.passes[worked.pass];
-      const SteeredPath axle = axle_path(pass, worked.entry, turning_);
-      go(worked.before.path.empty() ? way_to(axle) : worked.before, axle);
-      legs_.add(pass, worked.pass, worked.entry);
-    }
-  }
-
-  /// Open passes, which have two ends like tracks, in the best order that is found. `next`: the passes
-  /// behind.
-  void add_open(const std::vector<std::size_t>& passes, const std::vector<std::size_t>& next) {
+  /// Open passes, which have two ends like tracks, in the best order that is found. `behind`: the passes
+  /// that follow.
+  void add_open(const std::vector<std::size_t>& passes, const PassGroup& behind) {
     std::vector<RouteLine> lines;
     order::Tour as_given;
     for (const std::size_t pass : passes) {
@@ -213,96 +187,107 @@ class RoutePlanner {
     }
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
-    set_finishes(lines, next, costs);
+    set_finishes(lines, behind, costs);
     const TrackTour tour = best_tour_as_driven({as_given}, senses_of(task_.machine), task_.patience, lines,
                                                before_lines(costs), connector_, costs);
-    out_.gave_up = out_.gave_up || tour.gave_up;
+    gave_up_ = gave_up_ || tour.gave_up;
     for (std::size_t i = 0; i < tour.tour.size(); ++i) {
       const order::End entered = tour.tour[i];
       const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
-      go(i > 0 ? way_on(tour.ways[i - 1], left_, axle, connector_) : way_to_first(entered, axle, costs),
-         axle);
-      const std::size_t pass = passes[order::line_of(entered)];
       const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
-      legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
+      driver_.drive_pass(i > 0 ? way_on(tour.ways[i - 1], so_far().left, axle, connector_)
+                               : way_to_first(entered, axle, costs),
+                         passes[order::line_of(entered)], {0, sense, axle.front().start, end_of(axle)});
     }
   }
 
   /// What the way from the last line costs at least, by its end: to the passes that follow, or else to the
   /// next part or the gate.
-  void set_finishes(const std::vector<RouteLine>& lines, const std::vector<std::size_t>& passes,
-                    KnownCosts& costs) const {
-    if (!passes.empty())
-      costs.set_way_from_last([this, &lines, passes](order::End end) {
+  void set_finishes(const std::vector<RouteLine>& lines, const PassGroup& behind, KnownCosts& costs) const {
+    if (!behind.passes.empty()) {
+      const auto next = std::make_shared<const NextPass>(driver_.pass_task(behind));
+      costs.set_way_from_last([this, &lines, next](order::End end) {
         const SteeredPath& left = lines[order::line_of(end)].left_by(end).last;
-        Way way = nearest_pass(pass_task(passes), left).before;
+        Way way = way_to_pass(*next, left);
         if (way.has_room()) return way;
-        Way supposed = nearest_pass(pass_task(passes), connector_.come_straight_on(left)).before;
+        Way supposed = way_to_pass(*next, connector_.come_straight_on(left));
         return supposed.has_room() ? supposed : way;
       });
-    std::vector<Pose> entered;
-    std::vector<Point> places;
-    for (const std::size_t pass : passes)
-      for (const PassEntry& entry : entries_[pass]) {
-        entered.push_back(entry.entered);
-        places.push_back(entry.entered.at);
-      }
-    const order::PointGrid near(places);
-    for (order::End end = 0; end < 2 * lines.size(); ++end) {
-      const Pose left = pose_left_by(lines[order::line_of(end)], end);
-      if (!passes.empty())
-        costs.set_finish(end, least_.crude(left, entered[near.nearest(left.at, 1).front()]));
-      else if (ahead_)
-        costs.set_finish(end, least_.to_gate(*ahead_, left));
+      for (order::End end = 0; end < 2 * lines.size(); ++end)
+        costs.set_finish(end, next->about_s(pose_left_by(lines[order::line_of(end)], end)));
+    } else if (ahead_) {
+      for (order::End end = 0; end < 2 * lines.size(); ++end)
+        costs.set_finish(end, least_.to_gate(*ahead_, pose_left_by(lines[order::line_of(end)], end)));
     }
+  }
+
+  /// What lies ahead counts with the way to the next pass.
+  static Way way_to_pass(const NextPass& next, const SteeredPath& left) {
+    NextPass::Chosen chosen = next.after(left);
+    chosen.pass.before.cost_s += chosen.more_s;
+    return std::move(chosen.pass.before);
   }
 
   /// What the way to the first line costs at least, by its end.
   void set_starts(const std::vector<RouteLine>& lines, KnownCosts& costs) const {
-    if ((!left_.empty() || out_.start) && !leaves_part_)
+    const SteeredPath& left = so_far().left;
+    if ((!left.empty() || start_) && !so_far().leaves_part)
       costs.set_way_to_first([&](order::End entered) {
-        return way_to(lines[order::line_of(entered)].entered_by(entered).first);
+        return driver_.way_to(lines[order::line_of(entered)].entered_by(entered).first);
       });
     for (order::End end = 0; end < 2 * lines.size(); ++end) {
       const RouteLine& line = lines[order::line_of(end)];
-      if (!left_.empty())
-        costs.set_start(end, least_.between(end_of(left_), pose_entered_by(line, end)));
-      else if (out_.start)
-        costs.set_start(end, least_.to_gate(*out_.start, pose_entered_by(line, end)));
+      if (!left.empty())
+        costs.set_start(end, least_.between(end_of(left), pose_entered_by(line, end)));
+      else if (start_)
+        costs.set_start(end, least_.to_gate(*start_, pose_entered_by(line, end)));
     }
   }
 
-  /// `next`: the passes behind them.
-  void add_tracks(const std::vector<std::size_t>& on_part, const std::vector<order::Tour>& given,
-                  const std::vector<std::size_t>& next) {
-    if (on_part.empty()) return;
+  /// `behind`: the passes that follow.
+  OrderedTracks ordered_tracks(const std::vector<std::size_t>& on_part, const std::vector<order::Tour>& given,
+                               const PassGroup& behind) {
+    OrderedTracks out;
+    if (on_part.empty()) return out;
     std::vector<RouteLine> lines;
     for (const std::size_t line : on_part) lines.push_back(route_lines_[line]);
     std::vector<order::Tour> tours;
     for (const order::Tour& tour : given) tours.push_back(tour_of_those(tour, on_part));
     KnownCosts costs(lines, connector_, least_);
     set_starts(lines, costs);
-    set_finishes(lines, next, costs);
+    set_finishes(lines, behind, costs);
     const Senses senses = senses_of(task_.machine);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
-    const TrackTour tour = best ? best_tour_as_driven(tours, senses, task_.patience, lines,
-                                                      before_lines(costs), connector_, costs)
-                                : with_ways(tours.front(), senses, costs);
-    out_.gave_up = out_.gave_up || tour.gave_up;
-    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
-      const order::End entered = tour.tour[i];
+    TrackTour tour = best ? best_tour_as_driven(tours, senses, task_.patience, lines, before_lines(costs),
+                                                connector_, costs)
+                          : with_ways(tours.front(), senses, costs);
+    gave_up_ = gave_up_ || tour.gave_up;
+    const order::End first = tour.tour.front();
+    out.found.push_back(way_to_first(first, lines[order::line_of(first)].entered_by(first).first, costs));
+    std::ranges::move(tour.ways, std::back_inserter(out.found));
+    for (const order::End entered : tour.tour) {
       const std::size_t line = on_part[order::line_of(entered)];
-      const DrivenSense& sense = route_lines_[line].entered_by(entered);
-      go(i > 0 ? way_on(tour.ways[i - 1], left_, sense.first, connector_)
-               : way_to_first(entered, sense.first, costs),
-         sense.first);
-      const order::WorkedLine& worked = lines_[line];
-      legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece_);
-      if (worked.size() > 1) left_ = sense.last;
-      piece_ += worked.size();
-      out_.tour.push_back(order::is_start(entered) ? 2 * line : 2 * line + 1);
+      out.tour.push_back(order::is_start(entered) ? 2 * line : 2 * line + 1);
     }
+    return out;
   }
+
+  static std::vector<std::size_t> closed_passes(const Groups& groups) {
+    return groups.empty() || groups.back().as_lines ? std::vector<std::size_t>{} : groups.back().passes;
+  }
+
+  /// The groups without passes that are worked between tracks.
+  static Groups others(Groups groups, const std::vector<PassesBetween>& between) {
+    for (PassGroup& group : groups)
+      std::erase_if(group.passes, [&](std::size_t pass) {
+        return std::ranges::any_of(
+            between, [&](const PassesBetween& one) { return std::ranges::count(one.passes, pass) > 0; });
+      });
+    std::erase_if(groups, [](const PassGroup& group) { return group.passes.empty(); });
+    return groups;
+  }
+
+  const RouteSoFar& so_far() const { return driver_.so_far(); }
 
   const RouteTask& task_;
   const std::vector<order::WorkedLine>& lines_;
@@ -313,13 +298,11 @@ class RoutePlanner {
   SqueezedWays squeezed_;
   LeastSeconds least_;
   EntriesByPass entries_;
-  LegList legs_;
   std::vector<RouteLine> route_lines_;
-  SteeredPath left_;       ///< what was driven forward to the end of the work so far; empty at the beginning
-  std::size_t piece_ = 0;  ///< the next one, in driving order
-  bool leaves_part_ = false;    ///< the way to the next work leads from one part of the land to another
+  std::optional<Point> start_, end_;  ///< gates
+  RouteDriver driver_;
+  bool gave_up_ = false;        ///< an order of lines
   std::optional<Point> ahead_;  ///< where the route goes once the part is worked
-  PlannedRoute out_;
 };
 
 }  // namespace

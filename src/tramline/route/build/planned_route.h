@@ -40,7 +40,8 @@ struct PlannedRoute {
 };
 
 /// The route over all lines and headland passes, each once. Headland passes come before all tracks or after
-/// them. The order of the tracks is that of the settings or the best one found; `given` are tours to begin
+/// them, and closed ones round obstacles, where passes come last, also among them, behind the tracks that end
+/// there. The order of the tracks is that of the settings or the best one found; `given` are tours to begin
 /// from, of which the first is the one that PlanSettings::skip asks for. Deterministic. Precondition: there
 /// is a line or a pass.
 PlannedRoute planned_route(const RouteTask& task, const std::vector<order::WorkedLine>& lines,

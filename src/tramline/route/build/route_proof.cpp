@@ -27,14 +27,36 @@ struct Phases {
   std::size_t last = 0;
 };
 
-Phases phases_of(const std::vector<RouteLeg>& legs, std::size_t pieces, std::size_t passes) {
-  Phases out{std::vector<std::size_t>(pieces, 0), std::vector<std::size_t>(passes, 0)};
-  std::optional<bool> on_pass;
+/// Legs along tracks or along passes with none of the others between.
+struct Run {
+  std::vector<const RouteLeg*> legs{};
+  bool on_passes = false;
+  bool around_field = false;  ///< one of the passes follows the field's boundary
+};
+
+std::vector<Run> runs_of(const std::vector<RouteLeg>& legs, const Headland& headland) {
+  std::vector<Run> out;
   for (const RouteLeg& leg : legs) {
     if (!leg.piece && !leg.pass) continue;
-    if (on_pass && *on_pass != leg.pass.has_value()) ++out.last;
-    on_pass = leg.pass.has_value();
-    (leg.pass ? out.of_passes[*leg.pass] : out.of_pieces[*leg.piece]) = out.last;
+    if (out.empty() || out.back().on_passes != leg.pass.has_value())
+      out.push_back({{}, leg.pass.has_value()});
+    out.back().legs.push_back(&leg);
+    if (leg.pass && headland.passes[*leg.pass].around_field) out.back().around_field = true;
+  }
+  return out;
+}
+
+/// Passes between tracks that go round obstacles alone belong to the phase of the tracks.
+Phases phases_of(const std::vector<RouteLeg>& legs, std::size_t pieces, const Headland& headland) {
+  Phases out{std::vector<std::size_t>(pieces, 0), std::vector<std::size_t>(headland.passes.size(), 0)};
+  const std::vector<Run> runs = runs_of(legs, headland);
+  const auto among_tracks = [&runs](std::size_t i) {
+    return runs[i].on_passes && !runs[i].around_field && i > 0 && i + 1 < runs.size();
+  };
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i > 0 && !among_tracks(i - 1) && !among_tracks(i)) ++out.last;
+    for (const RouteLeg* leg : runs[i].legs)
+      (leg->pass ? out.of_passes[*leg->pass] : out.of_pieces[*leg->piece]) = out.last;
   }
   return out;
 }
@@ -50,7 +72,7 @@ RouteMembers members_of_proof(const RouteTask& task, const std::vector<order::Wo
                               const order::Tour& tour, const Route& route) {
   const Turning& turning = task.machine.turning;
   const Headland& headland = task.headland;
-  const Phases phases = phases_of(route.legs, count_pieces(lines), headland.passes.size());
+  const Phases phases = phases_of(route.legs, count_pieces(lines), headland);
   RouteMembers out;
   std::size_t piece = 0;
   for (const order::End entered : tour) {

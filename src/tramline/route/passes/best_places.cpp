@@ -4,13 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 #include "tramline/route/passes/nearest_entries.h"
+#include "tramline/route/passes/passes_ahead.h"
 
 namespace tramline {
 namespace {
@@ -19,13 +19,6 @@ namespace {
 constexpr double kPlaceSpacing_m = 0.5, kMostPlaces = 1000;
 /// So many ways are looked for at the most.
 constexpr int kMostWays = 500;
-
-/// From one lane to another: two arcs, or two quarter circles and a straight line where they are farther
-/// apart.
-double lane_change_m(double apart_m, double radius_m) {
-  if (apart_m >= 2 * radius_m) return std::numbers::pi * radius_m + apart_m - 2 * radius_m;
-  return 2 * radius_m * std::acos(1 - apart_m / (2 * radius_m));
-}
 
 /// A* over places of the passes in the order of a tour.
 class PlaceSearch {

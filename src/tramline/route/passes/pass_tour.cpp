@@ -2,135 +2,29 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <limits>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "tramline/route/passes/best_places.h"
-#include "tramline/route/passes/nearest_entries.h"
+#include "tramline/route/passes/next_pass.h"
 
 namespace tramline {
 namespace {
 
-/// Of the entries of the nearest passes so many are tried for room, the quickest first.
-constexpr std::size_t kMostTried = 120;
-/// Where none of them has direct room, so many are looked for along the lines of the roadmap; where these
-/// have none either, so many of every pass and sense.
-constexpr std::size_t kMostSearched = 12;
-constexpr std::size_t kSearchedOfEach = 8;
-
-class PassTour {
- public:
-  explicit PassTour(const PassTask& task)
-      : headland_(task.headland),
-        entries_(task.entries),
-        sequence_(task.sequence),
-        connector_(task.connector),
-        least_(task.least),
-        passes_(task.passes.size()),
-        done_(task.headland.passes.size(), true) {
-    for (const std::size_t pass : task.passes) done_[pass] = false;
+std::vector<WorkedPass> one_after_another(const PassTask& task, SteeredPath left, Foresight foresight) {
+  NextPass next(task, foresight);
+  std::vector<WorkedPass> out;
+  while (out.size() < task.passes.size()) {
+    out.push_back(left.empty() ? next.first() : next.after(left).pass);
+    const WorkedPass& last = out.back();
+    next.work(last.pass);
+    left = driven_forward(
+        left, last.before,
+        axle_path(task.headland.passes[last.pass], last.entry, task.connector.ground().machine().turning));
   }
-
-  std::vector<WorkedPass> from(SteeredPath left) {
-    std::vector<WorkedPass> out;
-    while (out.size() < passes_) {
-      out.push_back(left.empty() ? first() : next(left));
-      const WorkedPass& worked = out.back();
-      done_[worked.pass] = true;
-      left = driven_forward(left, worked.before, axle(worked.pass, worked.entry));
-    }
-    return out;
-  }
-
-  /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
-  /// of least cost to one of these.
-  WorkedPass next(const SteeredPath& left) const {
-    NearestEntries all = choices(end_of(left));
-    WorkedPass best;
-    double best_s = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i) {
-      const EntryChoice& one = all.at(i);
-      if (one.least_s >= best_s) break;
-      std::optional<Way> way = connector_.direct(end_of(left), one.entry->entered);
-      if (!way || way->time_s >= best_s) continue;
-      best_s = way->time_s;
-      best = {one.pass, *one.entry, std::move(*way)};
-    }
-    return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, all);
-  }
-
- private:
-  SteeredPath axle(std::size_t pass, const PassEntry& entry) const {
-    return axle_path(headland_.passes[pass], entry, connector_.ground().machine().turning);
-  }
-
-  /// Whether no pass along the same boundary has to come before.
-  bool has_its_turn(std::size_t pass) const {
-    if (sequence_ == PassSequence::kAny) return true;
-    const HeadlandPass& one = headland_.passes[pass];
-    for (std::size_t i = 0; i < done_.size(); ++i) {
-      if (done_[i] || i == pass || !along_one_boundary(one, headland_.passes[i])) continue;
-      const int other = headland_.passes[i].number;
-      if (sequence_ == PassSequence::kInwards ? other < one.number : other > one.number) return false;
-    }
-    return true;
-  }
-
-  /// Where nothing came before: the outermost pass, or the innermost where passes go outwards.
-  WorkedPass first() const {
-    std::size_t best = 0;
-    while (done_[best] || !has_its_turn(best)) ++best;
-    return {best, entries_[best].front(), {}};
-  }
-
-  NearestEntries choices(const Pose& left) const {
-    std::vector<EntryChoice> out;
-    for (std::size_t pass = 0; pass < done_.size(); ++pass) {
-      if (done_[pass] || !has_its_turn(pass)) continue;
-      for (const PassEntry& entry : entries_[pass]) out.push_back({pass, &entry});
-    }
-    return {left, least_, std::move(out)};
-  }
-
-  WorkedPass by_search(const SteeredPath& left, NearestEntries& all) const {
-    std::vector<EntryChoice> nearest;
-    for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i) nearest.push_back(all.at(i));
-    WorkedPass out = to_any(left, nearest);
-    if (out.before.has_room()) return out;
-    WorkedPass farther = to_any(left, all_round());
-    return farther.before.has_room() ? farther : out;
-  }
-
-  /// Entries of every pass whose turn it is, evenly spread.
-  std::vector<EntryChoice> all_round() const {
-    std::vector<EntryChoice> out;
-    for (std::size_t pass = 0; pass < done_.size(); ++pass) {
-      if (done_[pass] || !has_its_turn(pass)) continue;
-      const std::size_t step = std::max<std::size_t>(1, entries_[pass].size() / (2 * kSearchedOfEach));
-      for (std::size_t i = 0; i < entries_[pass].size(); i += step)
-        out.push_back({pass, &entries_[pass][i], 0});
-    }
-    return out;
-  }
-
-  WorkedPass to_any(const SteeredPath& left, const std::vector<EntryChoice>& choices) const {
-    std::vector<SteeredPath> entered;
-    for (const EntryChoice& choice : choices) entered.push_back(axle(choice.pass, *choice.entry));
-    Connector::WayToOne found = connector_.to_any(left, entered);
-    const EntryChoice& choice = choices[found.chosen];
-    return {choice.pass, *choice.entry, std::move(found.way)};
-  }
-
-  const Headland& headland_;
-  const EntriesByPass& entries_;
-  PassSequence sequence_;
-  const Connector& connector_;
-  const LeastSeconds& least_;
-  std::size_t passes_;
-  std::vector<bool> done_;  ///< or none of those asked for
-};
+  return out;
+}
 
 bool leads_forward(const WorkedPass& worked) {
   return worked.before.has_room() && !worked.before.backs_out && !worked.before.backs_in;
@@ -146,6 +40,12 @@ std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour,
   return out;
 }
 
+/// The first, unless the other lacks room less often or takes less.
+std::vector<WorkedPass> better(std::vector<WorkedPass> first, std::vector<WorkedPass> other,
+                               const PassTask& task) {
+  return effort_of(other, task) < effort_of(first, task) ? other : first;
+}
+
 constexpr std::array kBothSequences = {PassSequence::kOutwards, PassSequence::kInwards};
 
 /// The tour, or one outwards or inwards that has room more often, or takes less.
@@ -155,10 +55,17 @@ std::vector<WorkedPass> with_more_room(std::vector<WorkedPass> tour, const PassT
   for (const PassSequence sequence : kBothSequences) {
     PassTask ordered = task;
     ordered.sequence = sequence;
-    std::vector<WorkedPass> other = PassTour(ordered).from(left);
-    if (effort_of(other, task) < effort_of(tour, task)) tour = std::move(other);
+    tour = better(std::move(tour), one_after_another(ordered, left, Foresight::kAhead), task);
   }
   return tour;
+}
+
+/// What lies ahead is foreseen along straight lines: where land lies between that nobody drives over, the
+/// nearest pass may be the better choice.
+std::vector<WorkedPass> with_foresight_or_without(const PassTask& task, const SteeredPath& left) {
+  std::vector<WorkedPass> tour = one_after_another(task, left, Foresight::kAhead);
+  if (task.passes.size() < 2) return tour;
+  return better(std::move(tour), one_after_another(task, left, Foresight::kNone), task);
 }
 
 bool all_along_one_boundary(const std::vector<std::size_t>& order, const Headland& headland) {
@@ -206,16 +113,11 @@ std::vector<WorkedPass> at_better_places(std::vector<WorkedPass> tour, const Pas
 }  // namespace
 
 std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
-  std::vector<WorkedPass> tour = PassTour(task).from(left);
+  std::vector<WorkedPass> tour = with_foresight_or_without(task, left);
   // What works behind the axle swings over the edge where the machine turns off a pass beside it: that pass
   // is best worked last, or before all others.
   return std::ranges::all_of(tour, leads_forward) ? at_better_places(std::move(tour), task, left)
                                                   : with_more_room(std::move(tour), task, left);
-}
-
-WorkedPass nearest_pass(const PassTask& task, const SteeredPath& left) {
-  assert(!task.passes.empty() && !left.empty());
-  return PassTour(task).next(left);
 }
 
 }  // namespace tramline

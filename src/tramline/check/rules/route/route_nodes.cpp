@@ -32,19 +32,19 @@ RouteNode line_end(const WorkedCourse& arriving, const WorkedCourse& leaving, st
 }
 
 /// Tracks and passes by the phases in which a route works them: a phase ends where a track follows a pass or
-/// a pass a track. What the route does not work is in the first.
+/// a pass a track, but for passes between tracks that go round obstacles alone. What the route does not work
+/// is in the first.
 class WorkPhases {
  public:
   explicit WorkPhases(const Plan& plan) {
-    const RouteLeg* before = nullptr;
-    for (const RouteLeg& leg : plan.route.legs) {
-      if (!leg.piece && !leg.pass) continue;
-      if (before && before->pass.has_value() != leg.pass.has_value()) ++last_;
-      before = &leg;
-      if (leg.pass)
-        by_pass_[*leg.pass] = last_;
+    const std::vector<const RouteLeg*> works = works_of(plan.route);
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      const bool changes = i > 0 && works[i]->pass.has_value() != works[i - 1]->pass.has_value();
+      if (changes && !is_among_tracks(works, works[i]->pass ? i : i - 1, plan)) ++last_;
+      if (works[i]->pass)
+        by_pass_[*works[i]->pass] = last_;
       else
-        by_piece_[*leg.piece] = last_;
+        by_piece_[*works[i]->piece] = last_;
     }
   }
   std::size_t last() const { return last_; }
@@ -52,6 +52,26 @@ class WorkPhases {
   std::size_t of_pass(std::size_t pass) const { return found(by_pass_, pass); }
 
  private:
+  static std::vector<const RouteLeg*> works_of(const Route& route) {
+    std::vector<const RouteLeg*> out;
+    for (const RouteLeg& leg : route.legs)
+      if (leg.piece || leg.pass) out.push_back(&leg);
+    return out;
+  }
+
+  /// Of passes one after the other, of which this is one.
+  static bool is_among_tracks(const std::vector<const RouteLeg*>& works, std::size_t pass, const Plan& plan) {
+    const auto along_field = [&](std::size_t i) {
+      return plan.headland.passes[*works[i]->pass].around_field;
+    };
+    std::size_t first = pass, last = pass;
+    bool around_field = along_field(pass);
+    while (first > 0 && works[first - 1]->pass) around_field = along_field(--first) || around_field;
+    while (last + 1 < works.size() && works[last + 1]->pass)
+      around_field = along_field(++last) || around_field;
+    return !around_field && first > 0 && last + 1 < works.size();
+  }
+
   static std::size_t found(const std::map<std::size_t, std::size_t>& phases, std::size_t of) {
     const auto at = phases.find(of);
     return at == phases.end() ? 0 : at->second;

@@ -194,26 +194,39 @@ class OrderCheck {
   }
 
   /// One part of the land is worked after the other, and on each of them all headland passes before all
-  /// tracks or after them, as the settings ask.
+  /// tracks or after them, as the settings ask; or round obstacles among the tracks, behind all that end
+  /// there.
   void check_parts_and_phases() {
     const bool first = plan_.settings.route.passes == PassTime::kFirst;
     std::set<std::size_t> left;
     std::optional<std::size_t> part;
-    bool too_late = false;
+    std::vector<std::size_t> before;  // on the part: pieces, or passes
     for (std::size_t i = 0; i < legs_.size(); ++i) {
       const RouteLeg& leg = legs_[i];
       if (!leg.piece && !leg.pass) continue;
       const std::size_t here = part_of(leg, plan_, parts_);
       if (part && here != *part) {
         left.insert(*part);
-        too_late = false;
+        before.clear();
         if (left.contains(here))
           add(i, "goes back to land that it had left, and that the machine cannot drive to");
       }
       part = here;
-      if (first ? leg.piece.has_value() : leg.pass.has_value()) too_late = true;
-      if (too_late && (first ? leg.pass.has_value() : leg.piece.has_value()))
-        add(i, first ? "follows a pass after the tracks" : "works a track after the passes");
+      if (first ? leg.piece.has_value() : leg.pass.has_value())
+        before.push_back(first ? *leg.piece : *leg.pass);
+      if (first && leg.pass && !before.empty()) add(i, "follows a pass after the tracks");
+      if (!first && leg.piece) check_passes_before(i, before);
+    }
+  }
+
+  void check_passes_before(std::size_t leg, const std::vector<std::size_t>& passes) {
+    const TrackPiece& piece = plan_.pieces[*legs_[leg].piece];
+    for (const std::size_t pass : passes) {
+      if (plan_.headland.passes[pass].around_field) return add(leg, "works a track after the passes");
+      const WorkedCourse course = course_of_pass(plan_, pass, PassSense::kAlong);
+      for (const Point end : {piece.start, piece.end})
+        if (!course.line().positions_near(end, plan_.machine.width_m).empty())
+          return add(leg, fmt::format("works a track that ends beside {}, after that", pass_name(pass)));
     }
   }
 

@@ -14,6 +14,7 @@
 #include "properties/seeds.h"
 #include "route/rounded_rectangle.h"
 #include "tramline/route/build/lines_beside_boundaries.h"
+#include "tramline/route/passes/next_pass.h"
 #include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 
@@ -141,7 +142,7 @@ TEST(PassTour, EntersPassesWhereTheyTakeLeastTogether) {
     std::vector<std::size_t> still = scene.all;
     for (SteeredPath left = scene.left; !still.empty();) {
       PassTask task{scene.headland, scene.entries, still, PassSequence::kAny, scene.connector, scene.least};
-      const WorkedPass next = nearest_pass(task, left);
+      const WorkedPass next = NextPass(task).after(left).pass;
       nearest_s += next.before.time_s;
       left = axle_path(scene.headland.passes[next.pass], next.entry, scene.machine.turning);
       std::erase(still, next.pass);

@@ -1,0 +1,69 @@
+#include "tramline/route/build/route_driver.h"
+
+#include <utility>
+
+#include "tramline/route/passes/pass_tour.h"
+
+namespace tramline {
+
+RouteDriver::RouteDriver(const RouteTask& task, const DrivingMeans& by, std::optional<Point> start)
+    : task_(task), by_(by), start_(start), so_far_{LegList(task.field, task.machine.turning)} {}
+
+Way RouteDriver::way_to(const SteeredPath& work) const {
+  if (!so_far_.left.empty()) return by_.connector.between(so_far_.left, work);
+  return start_ ? by_.connector.from_gate(*start_, work) : Way{};
+}
+
+Way RouteDriver::as_driven(Way way, const SteeredPath& work) {
+  const SteeredPath& left = so_far_.left;
+  if (!left.empty() && way.has_room() && (way.backs_out || way.backs_in))
+    way = by_.connector.with_less_backing(way, left, work);
+  way = by_.connector.measured(std::move(way));
+  return way.has_room() || left.empty() ? way : by_.squeezed.along_the_land(std::move(way), left, work);
+}
+
+void RouteDriver::follow(const Way& way, const SteeredPath& work) {
+  if (!way.path.empty()) so_far_.legs.add(way);
+  so_far_.left = driven_forward(so_far_.left, way, work);
+  so_far_.leaves_part = false;
+  so_far_.cost_s += way.cost_s;
+  if (!way.has_room()) ++so_far_.lacking;
+}
+
+void RouteDriver::drive_line(const Way& way, order::End entered) {
+  const DrivenSense& sense = sense_of(entered);
+  const order::WorkedLine& line = by_.lines[order::line_of(entered)];
+  follow(way, sense.first);
+  so_far_.legs.add(order::is_start(entered) ? line : order::backwards(line), so_far_.pieces);
+  if (line.size() > 1) so_far_.left = sense.last;
+  so_far_.pieces += line.size();
+  so_far_.tour.push_back(entered);
+}
+
+void RouteDriver::drive_pass(Way way, std::size_t pass, const PassEntry& entry) {
+  const HeadlandPass& of = task_.headland.passes[pass];
+  const SteeredPath axle = axle_path(of, entry, task_.machine.turning);
+  follow(as_driven(std::move(way), axle), axle);
+  so_far_.legs.add(of, pass, entry);
+}
+
+void RouteDriver::drive_passes(const PassGroup& group) {
+  for (WorkedPass& worked : pass_tour(pass_task(group), so_far_.left)) {
+    const SteeredPath axle =
+        axle_path(task_.headland.passes[worked.pass], worked.entry, task_.machine.turning);
+    drive_pass(worked.before.path.empty() ? way_to(axle) : std::move(worked.before), worked.pass,
+               worked.entry);
+  }
+}
+
+void RouteDriver::drive_to(Point gate) {
+  if (so_far_.left.empty()) return;
+  so_far_.legs.add(by_.connector.measured(by_.connector.to_gate(so_far_.left, gate)));
+}
+
+PassTask RouteDriver::pass_task(const PassGroup& group) const {
+  return {task_.headland, by_.entries, group.passes, task_.settings.route.sequence,
+          by_.connector,  by_.least,   group.ahead};
+}
+
+}  // namespace tramline
