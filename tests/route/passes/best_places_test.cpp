@@ -12,8 +12,8 @@
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
+#include "route/passes/open_land.h"
 #include "route/rounded_rectangle.h"
-#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/route/passes/next_pass.h"
 #include "tramline/route/passes/pass_tour.h"
 #include "tramline/turns/manoeuvres/dubins.h"
@@ -40,8 +40,8 @@ Machine machine_for_passes(std::mt19937_64& random) {
 }
 
 /// Two to four passes round a small field, one inside another, with land to turn on all about.
-struct Passes {
-  explicit Passes(std::mt19937_64& random) : machine(machine_for_passes(random)) {
+struct Passes : testing::OpenLand {
+  explicit Passes(std::mt19937_64& random) : OpenLand(machine_for_passes(random)) {
     const int count = any_of(random, 2, 4);
     const double inmost_long_m = machine.radius_m + uniform(random, 3, 12),
                  inmost_wide_m = machine.radius_m + uniform(random, 3, 12);
@@ -50,26 +50,13 @@ struct Passes {
       headland.passes.push_back(ring(inmost_long_m + out_m, inmost_wide_m + out_m, machine.radius_m, i + 1));
       all.push_back(static_cast<std::size_t>(i));
     }
-    field.outer = land.front().outer;
     entries = entries_by_pass(headland, machine);
     const double x = uniform(random, -10, 10);
     left = {arc_from({{x, -30}, Heading::from_to({0, 0}, {0, 1})}, 30 + uniform(random, 0, 8), 0,
                      Gear::kForward)};
   }
 
-  Machine machine;
-  Headland headland{};
-  std::vector<std::size_t> all{};
-  Field field{};
-  Region land{{{{-300, -300}, {300, -300}, {300, 300}, {-300, 300}}, {}}};
-  AllowedLand allowed{land};
-  EntriesByPass entries{};
   SteeredPath left{};
-  DrivingGround ground{allowed, field, machine, land};
-  RoadmapOnDemand roadmap{[this] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground};
-  Connector connector{ground, roadmap, {}};
-  LeastSeconds least{machine};
-  PassTask task{headland, entries, all, PassSequence::kAny, connector, least};
 };
 
 /// The least time of all choices of places half a metre apart, s.

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <iostream>
 #include <limits>
-#include <numeric>
+#include <numbers>
 #include <vector>
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
+#include "route/passes/open_land.h"
 #include "route/rounded_rectangle.h"
-#include "tramline/route/build/lines_beside_boundaries.h"
 #include "tramline/route/passes/passes_among_tracks.h"
 
 namespace tramline::passes_ahead_test {
@@ -32,10 +32,8 @@ HeadlandPass moved(HeadlandPass pass, Point by) {
 }
 
 /// Two passes round a field of random size, one inside the other, and one or two round obstacles in it.
-struct Passes {
-  explicit Passes(std::mt19937_64& random) {
-    machine.width_m = kWidth_m;
-    machine.radius_m = kRadius_m;
+struct Passes : testing::OpenLand {
+  explicit Passes(std::mt19937_64& random) : OpenLand(machine_for_passes()) {
     const double long_m = uniform(random, 150, 300), wide_m = uniform(random, 60, 120);
     for (const int number : {1, 2}) {
       const double in_m = 2 * kWidth_m * number;
@@ -51,22 +49,15 @@ struct Passes {
     }
     for (std::size_t i = 0; i < headland.passes.size(); ++i) all.push_back(i);
     entries = entries_by_pass(headland, machine);
-    field.outer = land.front().outer;
     if (any_of(random, 0, 1) == 1) task.gate = Point{uniform(random, -200, 200), uniform(random, -80, 80)};
   }
 
-  Machine machine{};
-  Headland headland{};
-  std::vector<std::size_t> all{};
-  Field field{};
-  Region land{{{{-300, -300}, {300, -300}, {300, 300}, {-300, 300}}, {}}};
-  AllowedLand allowed{land};
-  EntriesByPass entries{};
-  DrivingGround ground{allowed, field, machine, land};
-  RoadmapOnDemand roadmap{[this] { return Roadmap(lines_beside_boundaries({}, field, ground), 3); }, ground};
-  Connector connector{ground, roadmap, {}};
-  LeastSeconds least{machine};
-  PassTask task{headland, entries, all, PassSequence::kAny, connector, least};
+  static Machine machine_for_passes() {
+    Machine out;
+    out.width_m = kWidth_m;
+    out.radius_m = kRadius_m;
+    return out;
+  }
 };
 
 double seconds(const Passes& scene, Point from, Point to) {
