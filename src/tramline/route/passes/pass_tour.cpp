@@ -43,7 +43,8 @@ std::pair<std::ptrdiff_t, double> effort_of(const std::vector<WorkedPass>& tour,
 /// The first, unless the other lacks room less often or takes less.
 std::vector<WorkedPass> better(std::vector<WorkedPass> first, std::vector<WorkedPass> other,
                                const PassTask& task) {
-  return effort_of(other, task) < effort_of(first, task) ? other : first;
+  if (effort_of(other, task) < effort_of(first, task)) return other;
+  return first;
 }
 
 constexpr std::array kBothSequences = {PassSequence::kOutwards, PassSequence::kInwards};
