@@ -129,7 +129,7 @@ TEST(PassTour, EntersPassesWhereTheyTakeLeastTogether) {
     std::vector<std::size_t> still = scene.all;
     for (SteeredPath left = scene.left; !still.empty();) {
       PassTask task{scene.headland, scene.entries, still, PassSequence::kAny, scene.connector, scene.least};
-      const WorkedPass next = NextPass(task).after(left).pass;
+      const WorkedPass next = NextPass(task, Foresight::kNone).after(left).pass;
       nearest_s += next.before.time_s;
       left = axle_path(scene.headland.passes[next.pass], next.entry, scene.machine.turning);
       std::erase(still, next.pass);

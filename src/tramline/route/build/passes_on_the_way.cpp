@@ -29,7 +29,7 @@ Way way_to_track(std::size_t i, OrderedTracks& tracks, bool as_before, RouteDriv
   if (known && (as_before || !tracks.as_driven[i].backs_out)) return tracks.as_driven[i];
   const SteeredPath& work = driver.sense_of(tracks.tour[i]).first;
   Way way = tracks.found[i];
-  if (i > 0) way = way_on(way, driver.so_far().left, work, driver.by().connector);
+  if (i > 0) way = way_on(way, driver.so_far().left, work, driver.context().connector);
   way = driver.as_driven(std::move(way), work);
   if (!known) tracks.as_driven.push_back(way);
   return way;
@@ -40,7 +40,7 @@ std::vector<DrivenTrack> as_driven(const order::Tour& tour, const RouteDriver& d
   for (const order::End entered : tour) {
     const DrivenSense& sense = driver.sense_of(entered);
     out.push_back(
-        {&driver.by().lines[order::line_of(entered)], sense.first.front().start, end_of(sense.last)});
+        {&driver.context().lines[order::line_of(entered)], sense.first.front().start, end_of(sense.last)});
   }
   return out;
 }
@@ -77,12 +77,13 @@ void drive_with_passes_on_the_way(RouteDriver& driver, const order::Tour& tour,
                                   const std::vector<std::size_t>& closed, std::optional<Point> ahead,
                                   const DrivePart& drive_part) {
   const RouteTask& task = driver.task();
-  const LeastSeconds& least = driver.by().least;
+  const LeastSeconds& least = driver.context().least;
   const std::vector<DrivenTrack> tracks = as_driven(tour, driver);
   std::vector<PassesBetween> between;
   drive_part(between);
   for (std::vector<std::size_t>& passes : passes_round_obstacles(task.headland, closed)) {
-    const auto behind = track_before(tracks, places_on(passes, driver.by().entries), task.machine.width_m);
+    const auto behind =
+        track_before(tracks, places_on(passes, driver.context().entries), task.machine.width_m);
     if (!behind) continue;
     const RouteSoFar without = driver.so_far();
     between.push_back({*behind, std::move(passes)});

@@ -6,20 +6,20 @@
 
 namespace tramline {
 
-RouteDriver::RouteDriver(const RouteTask& task, const DrivingMeans& by, std::optional<Point> start)
-    : task_(task), by_(by), start_(start), so_far_{LegList(task.field, task.machine.turning)} {}
+RouteDriver::RouteDriver(const RouteTask& task, const RouteContext& context, std::optional<Point> start)
+    : task_(task), context_(context), start_(start), so_far_{LegList(task.field, task.machine.turning)} {}
 
 Way RouteDriver::way_to(const SteeredPath& work) const {
-  if (!so_far_.left.empty()) return by_.connector.between(so_far_.left, work);
-  return start_ ? by_.connector.from_gate(*start_, work) : Way{};
+  if (!so_far_.left.empty()) return context_.connector.between(so_far_.left, work);
+  return start_ ? context_.connector.from_gate(*start_, work) : Way{};
 }
 
 Way RouteDriver::as_driven(Way way, const SteeredPath& work) {
   const SteeredPath& left = so_far_.left;
   if (!left.empty() && way.has_room() && (way.backs_out || way.backs_in))
-    way = by_.connector.with_less_backing(way, left, work);
-  way = by_.connector.measured(std::move(way));
-  return way.has_room() || left.empty() ? way : by_.squeezed.along_the_land(std::move(way), left, work);
+    way = context_.connector.with_less_backing(way, left, work);
+  way = context_.connector.measured(std::move(way));
+  return way.has_room() || left.empty() ? way : context_.squeezed.along_the_land(std::move(way), left, work);
 }
 
 void RouteDriver::follow(const Way& way, const SteeredPath& work) {
@@ -32,7 +32,7 @@ void RouteDriver::follow(const Way& way, const SteeredPath& work) {
 
 void RouteDriver::drive_line(const Way& way, order::End entered) {
   const DrivenSense& sense = sense_of(entered);
-  const order::WorkedLine& line = by_.lines[order::line_of(entered)];
+  const order::WorkedLine& line = context_.lines[order::line_of(entered)];
   follow(way, sense.first);
   so_far_.legs.add(order::is_start(entered) ? line : order::backwards(line), so_far_.pieces);
   if (line.size() > 1) so_far_.left = sense.last;
@@ -58,12 +58,12 @@ void RouteDriver::drive_passes(const PassGroup& group) {
 
 void RouteDriver::drive_to(Point gate) {
   if (so_far_.left.empty()) return;
-  so_far_.legs.add(by_.connector.measured(by_.connector.to_gate(so_far_.left, gate)));
+  so_far_.legs.add(context_.connector.measured(context_.connector.to_gate(so_far_.left, gate)));
 }
 
 PassTask RouteDriver::pass_task(const PassGroup& group) const {
-  return {task_.headland, by_.entries, group.passes, task_.settings.route.sequence,
-          by_.connector,  by_.least,   group.ahead};
+  return {task_.headland,     context_.entries, group.passes, task_.settings.route.sequence,
+          context_.connector, context_.least,   group.ahead};
 }
 
 }  // namespace tramline

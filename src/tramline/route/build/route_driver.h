@@ -34,8 +34,8 @@ struct RouteSoFar {
   double cost_s = 0;         ///< of all ways
 };
 
-/// What a route is driven with. All references outlive it.
-struct DrivingMeans {
+/// What a route is made of and found with. All references outlive it.
+struct RouteContext {
   const std::vector<order::WorkedLine>& lines;
   const std::vector<RouteLine>& route_lines;  ///< of the lines
   const EntriesByPass& entries;
@@ -48,7 +48,7 @@ struct DrivingMeans {
 class RouteDriver {
  public:
   /// `start`: the gate.
-  RouteDriver(const RouteTask& task, const DrivingMeans& by, std::optional<Point> start);
+  RouteDriver(const RouteTask& task, const RouteContext& context, std::optional<Point> start);
 
   const RouteSoFar& so_far() const { return so_far_; }
   /// Takes back what was driven since, or puts it in place of what was driven otherwise.
@@ -74,16 +74,16 @@ class RouteDriver {
 
   PassTask pass_task(const PassGroup& group) const;
   const DrivenSense& sense_of(order::End entered) const {
-    return by_.route_lines[order::line_of(entered)].entered_by(entered);
+    return context_.route_lines[order::line_of(entered)].entered_by(entered);
   }
-  const DrivingMeans& by() const { return by_; }
+  const RouteContext& context() const { return context_; }
   const RouteTask& task() const { return task_; }
 
  private:
   void follow(const Way& way, const SteeredPath& work);
 
   const RouteTask& task_;
-  DrivingMeans by_;
+  RouteContext context_;
   std::optional<Point> start_;
   RouteSoFar so_far_;
 };
