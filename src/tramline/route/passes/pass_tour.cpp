@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -114,6 +115,7 @@ std::vector<WorkedPass> at_better_places(std::vector<WorkedPass> tour, const Pas
 }  // namespace
 
 std::vector<WorkedPass> pass_tour(const PassTask& task, const SteeredPath& left) {
+  assert(!task.passes.empty());
   std::vector<WorkedPass> tour = with_foresight_or_without(task, left);
   // What works behind the axle swings over the edge where the machine turns off a pass beside it: that pass
   // is best worked last, or before all others.
