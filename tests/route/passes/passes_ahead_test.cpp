@@ -14,7 +14,7 @@
 #include "properties/seeds.h"
 #include "route/passes/open_land.h"
 #include "route/rounded_rectangle.h"
-#include "tramline/route/passes/passes_among_tracks.h"
+#include "tramline/route/passes/passes_round_obstacles.h"
 
 namespace tramline::passes_ahead_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "tramline/route/build/followed_lines.h"
 #include "tramline/route/build/gates.h"
 #include "tramline/route/build/lines_through_narrows.h"
-#include "tramline/route/build/passes_on_the_way.h"
+#include "tramline/route/build/passes_among_tracks.h"
 #include "tramline/route/build/route_driver.h"
 #include "tramline/route/build/tour_as_driven.h"
 #include "tramline/route/build/work_by_part.h"
@@ -107,12 +107,12 @@ class RoutePlanner {
         ordered_tracks(work.lines, given, first || groups.empty() ? PassGroup{} : groups.front());
     if (first) return drive_tracks(driver_, tracks, {});
     const RouteSoFar before = driver_.so_far();
-    drive_with_passes_on_the_way(driver_, tracks.tour, closed_passes(groups), ahead_,
-                                 [&](const std::vector<PassesBetween>& between) {
-                                   driver_.go_back_to(before);
-                                   drive_tracks(driver_, tracks, between);
-                                   add_passes(others(groups, between));
-                                 });
+    drive_with_passes_among_tracks(driver_, tracks.tour, closed_passes(groups), ahead_,
+                                   [&](const std::vector<PassesAmongTracks>& among) {
+                                     driver_.go_back_to(before);
+                                     drive_tracks(driver_, tracks, among);
+                                     add_passes(others(groups, among));
+                                   });
   }
 
   /// What lies ahead of the work or behind it may swing off the land in corners of passes and at the ends of
@@ -276,12 +276,12 @@ class RoutePlanner {
     return groups.empty() || groups.back().as_lines ? std::vector<std::size_t>{} : groups.back().passes;
   }
 
-  /// The groups without passes that are worked between tracks.
-  static Groups others(Groups groups, const std::vector<PassesBetween>& between) {
+  /// The groups without passes that are worked among the tracks.
+  static Groups others(Groups groups, const std::vector<PassesAmongTracks>& among) {
     for (PassGroup& group : groups)
       std::erase_if(group.passes, [&](std::size_t pass) {
         return std::ranges::any_of(
-            between, [&](const PassesBetween& one) { return std::ranges::count(one.passes, pass) > 0; });
+            among, [&](const PassesAmongTracks& one) { return std::ranges::count(one.passes, pass) > 0; });
       });
     std::erase_if(groups, [](const PassGroup& group) { return group.passes.empty(); });
     return groups;

@@ -1,4 +1,4 @@
-#include "tramline/route/passes/passes_among_tracks.h"
+#include "tramline/route/passes/passes_round_obstacles.h"
 
 #include <algorithm>
 #include <limits>

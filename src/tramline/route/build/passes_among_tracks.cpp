@@ -1,20 +1,20 @@
-#include "tramline/route/build/passes_on_the_way.h"
+#include "tramline/route/build/passes_among_tracks.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "tramline/route/build/tour_as_driven.h"
-#include "tramline/route/passes/passes_among_tracks.h"
+#include "tramline/route/passes/passes_round_obstacles.h"
 
 namespace tramline {
 namespace {
 
 /// Drives the passes that come behind a track; false where none do. `next`: where the route goes on.
-bool drive_passes_behind(std::size_t track, const std::vector<PassesBetween>& between, Point next,
+bool drive_passes_behind(std::size_t track, const std::vector<PassesAmongTracks>& among, Point next,
                          RouteDriver& driver) {
   PassGroup group;
-  for (const PassesBetween& one : between)
+  for (const PassesAmongTracks& one : among)
     if (one.behind == track) std::ranges::copy(one.passes, std::back_inserter(group.passes));
   if (group.passes.empty()) return false;
   group.ahead = next;
@@ -61,11 +61,11 @@ std::pair<std::size_t, double> effort(const RouteSoFar& route, std::optional<Poi
 
 }  // namespace
 
-void drive_tracks(RouteDriver& driver, OrderedTracks& tracks, const std::vector<PassesBetween>& between) {
+void drive_tracks(RouteDriver& driver, OrderedTracks& tracks, const std::vector<PassesAmongTracks>& among) {
   bool as_before = true;
   for (std::size_t i = 0; i < tracks.tour.size(); ++i) {
     const SteeredPath& work = driver.sense_of(tracks.tour[i]).first;
-    const bool behind_passes = i > 0 && drive_passes_behind(i - 1, between, work.front().start.at, driver);
+    const bool behind_passes = i > 0 && drive_passes_behind(i - 1, among, work.front().start.at, driver);
     as_before = as_before && !behind_passes;
     driver.drive_line(behind_passes ? driver.as_driven(driver.way_to(work), work)
                                     : way_to_track(i, tracks, as_before, driver),
@@ -73,24 +73,24 @@ void drive_tracks(RouteDriver& driver, OrderedTracks& tracks, const std::vector<
   }
 }
 
-void drive_with_passes_on_the_way(RouteDriver& driver, const order::Tour& tour,
-                                  const std::vector<std::size_t>& closed, std::optional<Point> ahead,
-                                  const DrivePart& drive_part) {
+void drive_with_passes_among_tracks(RouteDriver& driver, const order::Tour& tour,
+                                    const std::vector<std::size_t>& closed, std::optional<Point> ahead,
+                                    const DrivePart& drive_part) {
   const RouteTask& task = driver.task();
   const LeastSeconds& least = driver.context().least;
   const std::vector<DrivenTrack> tracks = as_driven(tour, driver);
-  std::vector<PassesBetween> between;
-  drive_part(between);
+  std::vector<PassesAmongTracks> among;
+  drive_part(among);
   for (std::vector<std::size_t>& passes : passes_round_obstacles(task.headland, closed)) {
     const auto behind =
         track_before(tracks, places_on(passes, driver.context().entries), task.machine.width_m);
     if (!behind) continue;
     const RouteSoFar without = driver.so_far();
-    between.push_back({*behind, std::move(passes)});
-    drive_part(between);
+    among.push_back({*behind, std::move(passes)});
+    drive_part(among);
     if (effort(driver.so_far(), ahead, least) < effort(without, ahead, least)) continue;
     driver.go_back_to(without);
-    between.pop_back();
+    among.pop_back();
   }
 }
 

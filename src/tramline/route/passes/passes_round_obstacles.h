@@ -1,5 +1,5 @@
 #pragma once
-// Headland passes round obstacles that are worked on the way from one track to the next.
+// Headland passes round obstacles that may be worked among the tracks.
 
 #include <cstddef>
 #include <optional>
