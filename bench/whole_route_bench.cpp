@@ -39,12 +39,13 @@ struct Tracks {
   explicit Tracks(std::size_t tracks)
       : plan(tracks_alone(field_of(tracks))),
         land(turning_land(plan.field, plan.machine, plan.settings)),
-        task{plan.field, plan.machine, plan.settings, plan.headland, plan.body, land, beside},
+        task{plan.field, plan.machine, plan.settings, plan.headland, plan.body, land, beside, for_narrower},
         lines(order::lines_of(plan.pieces)) {}
 
   Plan plan;
   AllowedLand land;
   LinesBesideBoundaries beside;
+  LinesForNarrower for_narrower;
   RouteTask task;
   std::vector<order::WorkedLine> lines;
 };

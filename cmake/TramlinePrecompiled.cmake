@@ -11,9 +11,10 @@ endif()
 set(TRAMLINE_STANDARD_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <set>
                               <span> <string> <utility> <vector> <fmt/format.h>)
 
-# tramline_precompiled(<kind> HEADERS ... [LINKS ...]): makes the headers that tramline_use_precompiled(<target> <kind>) gives.
+# tramline_precompiled(<kind> [LEVEL <-O>] HEADERS ... [LINKS ...]): makes the headers that
+# tramline_use_precompiled(<target> <kind>) gives. LEVEL: that of the targets, where they are compiled quickly.
 function(tramline_precompiled kind)
-  cmake_parse_arguments(ARG "" "" "HEADERS;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LEVEL" "HEADERS;LINKS" ${ARGN})
   if(NOT TRAMLINE_PRECOMPILE)
     return()
   endif()
@@ -22,6 +23,9 @@ function(tramline_precompiled kind)
   add_library(precompiled_${kind} OBJECT "${source}")
   target_link_libraries(precompiled_${kind} PRIVATE fmt::fmt ${ARG_LINKS})
   tramline_compile_options(precompiled_${kind})
+  if(ARG_LEVEL)
+    tramline_compile_quickly(precompiled_${kind} LEVEL ${ARG_LEVEL})
+  endif()
   # GCC says nothing of a precompiled header in what it preprocesses unless asked to, and ccache needs to know.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(precompiled_${kind} PRIVATE -fpch-preprocess)

@@ -81,8 +81,7 @@ TEST_F(BesideBoundaries, AreFoundOnce) {
 
 /// A bar 2 m wide keeps 1.1 m off. Those of another width are others, and the first ones stay.
 TEST_F(BesideBoundaries, AreFoundOnceForEachNarrowerMachine) {
-  const LinesBesideBoundaries beside;
-  beside.found({}, field_, ground());
+  const LinesForNarrower beside;
   machine_.width_m = 2;
   const DrivingGround narrower = ground();
   const auto* const first = &beside.round_all(field_, narrower);

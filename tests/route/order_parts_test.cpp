@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -152,6 +153,11 @@ TEST(PointGrid, FindsTheNearestOfThoseThatAreLeft) {
       ASSERT_EQ(found.size(), most);
       for (std::size_t i = 0; i < most; ++i)
         EXPECT_EQ(distance(places[found[i]], asked), distance(places[left[i]], asked));
+      const Point aside = asked + Point{place(random) - place(random), place(random) - place(random)};
+      double least_m = std::numeric_limits<double>::infinity();
+      for (const std::size_t i : left) least_m = std::min(least_m, distance(places[i], aside));
+      EXPECT_TRUE(grid.has_within(aside, 1.001 * least_m));
+      EXPECT_FALSE(grid.has_within(aside, 0.999 * least_m));
       grid.remove(left.back());
       left.pop_back();
     }

@@ -1,7 +1,10 @@
 #pragma once
 // The problem that the planner solves.
 
+#include <memory>
+
 #include "tramline/model/plan.h"
+#include "tramline/route/build/lines_beside_boundaries.h"
 
 namespace tramline {
 
@@ -11,6 +14,8 @@ struct PlanningProblem {
   Machine machine;
   Objective objective;
   PlanSettings settings;
+  /// What routes may follow through narrows; shared by all problems of this field and machine.
+  std::shared_ptr<const LinesForNarrower> for_narrower = std::make_shared<LinesForNarrower>();
 };
 
 /// The problem of a request. Where headlands are asked for, the field's own boundary is hard, whatever the

@@ -76,7 +76,7 @@ PlannedRoute route_over(const SearchTask& task, const std::vector<order::WorkedL
       given.push_back(order::land_tour(lines, task.field, width_m, land));
   }
   return planned_route({task.field, task.machine, task.settings, task.headland, task.ground.body,
-                        task.turning_land, task.beside_boundaries, task.patience},
+                        task.turning_land, task.beside_boundaries, task.for_narrower, task.patience},
                        lines, given);
 }
 
@@ -141,8 +141,8 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
 
 RouteProof proof_of_route(const SearchTask& task, const Candidate& candidate, const order::Tour& tour,
                           const Plan& plan) {
-  const RouteTask of_route{task.field,       task.machine,      plan.settings,         task.headland,
-                           task.ground.body, task.turning_land, task.beside_boundaries};
+  const RouteTask of_route{task.field,       task.machine,      plan.settings,          task.headland,
+                           task.ground.body, task.turning_land, task.beside_boundaries, task.for_narrower};
   return route_proof(of_route, order::lines_of(track_pieces(task, candidate)), tour, plan.route);
 }
 

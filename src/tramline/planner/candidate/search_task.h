@@ -26,7 +26,8 @@ struct SearchTask {
         given(prepared.given),
         may_divide(prepared.may_divide),
         turning_land(*prepared.turning_land),
-        beside_boundaries(*prepared.beside_boundaries) {}
+        beside_boundaries(*prepared.beside_boundaries),
+        for_narrower(*problem.for_narrower) {}
 
   const Field& field;
   const Machine& machine;
@@ -42,6 +43,7 @@ struct SearchTask {
   MayDivide may_divide;
   const AllowedLand& turning_land;
   const LinesBesideBoundaries& beside_boundaries;
+  const LinesForNarrower& for_narrower;
   Patience patience = Patience::kUsual;
 };
 

@@ -21,7 +21,9 @@ PassesByBoundary as_set(const PlanningProblem& problem, PassesByBoundary passes)
 PlanningProblem problem_with(const PlanningProblem& problem, const PassesByBoundary& passes) {
   PlanSettings settings = problem.settings;
   settings.headland_edges = passes.edges;
-  return planning_problem(problem.field, problem.machine, problem.objective, settings);
+  PlanningProblem out = planning_problem(problem.field, problem.machine, problem.objective, settings);
+  out.for_narrower = problem.for_narrower;
+  return out;
 }
 
 std::optional<HeadlandTrial> headland_trial(const PlanningProblem& problem, const Plan& layout,

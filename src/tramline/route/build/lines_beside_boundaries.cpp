@@ -59,9 +59,9 @@ const std::vector<FollowedLine>& LinesBesideBoundaries::found(const Headland& he
   return lines_;
 }
 
-const std::vector<FollowedLine>& LinesBesideBoundaries::round_all(const Field& field,
-                                                                  const DrivingGround& narrowed) const {
-  const std::lock_guard taken(narrowed_taken_);
+const std::vector<FollowedLine>& LinesForNarrower::round_all(const Field& field,
+                                                             const DrivingGround& narrowed) const {
+  const std::lock_guard taken(taken_);
   const auto [entry, added] = by_width_m_.try_emplace(narrowed.machine().width_m);
   if (added) entry->second = lines_beside_boundaries({}, field, narrowed);
   return entry->second;

@@ -24,16 +24,23 @@ class LinesBesideBoundaries {
   /// Precondition: field, machine, and the boundaries that have passes are those of the first call.
   const std::vector<FollowedLine>& found(const Headland& headland, const Field& field,
                                          const DrivingGround& ground) const;
-  /// Those round all boundaries, passes or not, for a machine that is narrower than in fact. Precondition:
-  /// machines of one width differ in nothing.
-  const std::vector<FollowedLine>& round_all(const Field& field, const DrivingGround& narrowed) const;
 
  private:
   mutable std::once_flag once_{};
   mutable HeadlandTerms terms_{};  ///< of passes along them
   mutable std::vector<FollowedLine> lines_{};
-  mutable std::mutex narrowed_taken_{};
-  mutable std::map<double, std::vector<FollowedLine>> by_width_m_{};  ///< of narrowed machines
+};
+
+/// The lines round all boundaries, passes or not, for machines that are narrower than in fact: found by the
+/// first route that needs them, for all routes of a field and machine. For any number of threads.
+class LinesForNarrower {
+ public:
+  /// Precondition: the field is that of the first call, and machines of one width differ in nothing.
+  const std::vector<FollowedLine>& round_all(const Field& field, const DrivingGround& narrowed) const;
+
+ private:
+  mutable std::mutex taken_{};
+  mutable std::map<double, std::vector<FollowedLine>> by_width_m_{};
 };
 
 }  // namespace tramline

@@ -43,13 +43,11 @@ std::vector<Point> places_on(const std::vector<FollowedLine>& lines) {
 }
 
 /// Stretches of a line of which all places are so far off.
-Intervals stretches_off(const FollowedLine& line, const order::PointGrid& grid,
-                        const std::vector<Point>& places, double off_m) {
+Intervals stretches_off(const FollowedLine& line, const order::PointGrid& places, double off_m) {
   Intervals out;
   bool off = false;
   for (const Place& place : places_on(line.axle)) {
-    const bool was_off =
-        std::exchange(off, distance(place.at, places[grid.nearest(place.at, 1).front()]) > off_m);
+    const bool was_off = std::exchange(off, !places.has_within(place.at, off_m));
     if (off && !was_off) out.push_back({place.along_m, place.along_m});
     if (off) out.back().to = place.along_m;
   }
@@ -79,7 +77,7 @@ std::vector<FollowedLine> lines_through_narrows(const std::vector<FollowedLine>&
   const double off_m = half_breadth_m(ground.outline()) + kBesideLines_m;
   std::vector<FollowedLine> out;
   for (const FollowedLine& line : round_boundaries) {
-    const Intervals stretches = stretches_off(line, grid, places, off_m);
+    const Intervals stretches = stretches_off(line, grid, off_m);
     const bool whole = stretches.size() == 1 && stretches.front().length() == length(line.axle);
     if (whole) {
       out.push_back(line);

@@ -137,7 +137,7 @@ class RoutePlanner {
   /// With lines through narrows, in which the machine itself has no room.
   Roadmap roadmap_for(const DrivingGround& narrowed) const {
     std::vector<FollowedLine> lines = lines_to_follow();
-    const auto& round_all = task_.beside_boundaries.round_all(task_.field, narrowed);
+    const auto& round_all = task_.for_narrower.round_all(task_.field, narrowed);
     std::ranges::copy(lines_through_narrows(round_all, lines, ground_), std::back_inserter(lines));
     return {lines, roadmap_spacing_m()};
   }

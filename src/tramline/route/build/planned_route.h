@@ -23,6 +23,7 @@ struct RouteTask {
   const Region& body;               ///< the land of the tracks
   const AllowedLand& turning_land;  ///< turning_land()
   const LinesBesideBoundaries& beside_boundaries;
+  const LinesForNarrower& for_narrower;
   Patience patience = Patience::kUsual;
 };
 

@@ -72,4 +72,13 @@ std::vector<std::size_t> PointGrid::nearest(Point p, std::size_t most) const {
   return out;
 }
 
+bool PointGrid::has_within(Point p, double distance_m) const {
+  const Point low = p - Point{distance_m, distance_m}, high = p + Point{distance_m, distance_m};
+  for (int row = row_of(low); row <= row_of(high); ++row)
+    for (int column = column_of(low); column <= column_of(high); ++column)
+      for (const std::size_t i : cells_[place(column, row)])
+        if (distance(p, points_[i]) <= distance_m) return true;
+  return false;
+}
+
 }  // namespace tramline::order

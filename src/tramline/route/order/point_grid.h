@@ -20,6 +20,9 @@ class PointGrid {
   /// lower index. O(cells within the reach of the answer + most·log most)
   std::vector<std::size_t> nearest(Point p, std::size_t most) const;
 
+  /// Whether a point that has not been removed is no farther from p than this. O(cells within the distance)
+  bool has_within(Point p, double distance_m) const;
+
  private:
   struct Found {
     double reach_m2 = 0;  ///< square of the distance
