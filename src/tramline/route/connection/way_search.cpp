@@ -256,10 +256,17 @@ class WaySearch {
     if (least_m <= longest_m) propose({from, to}, least_m / speed_);
   }
 
+  /// Lines lead on from where the machine has backed far along its work: a long word from every place there
+  /// would be one too many.
+  double longest_to_end_m(std::size_t begin) const {
+    const double longest_m = ways_on_.longest_word_m();
+    return length(begins_[begin].path) > longest_m ? longest_m : kAnyLength_m;
+  }
+
   void leave(std::size_t place) {
     if (is_begin(place)) {
       for (std::size_t end = 0; end < ends_.size(); ++end)
-        propose_end(place, place_of_end(end), kAnyLength_m);
+        propose_end(place, place_of_end(end), longest_to_end_m(place));
       for (RoadmapWays::Word& word : ways_on_.words_from(pose(place))) propose_word(place, word);
       return;
     }
