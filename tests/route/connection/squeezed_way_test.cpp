@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tramline/route/axle/axle_path.h"
 
@@ -108,6 +109,28 @@ TEST(SqueezedWays, LeadStraightIntoAnArm) {
   EXPECT_GE(way.missing_m, 0.1 - 0.002);
   EXPECT_LT(way.missing_m, 1);
   EXPECT_LT(distance(end_of(way.path).at, entered.front().start.at), 1e-6);
+}
+
+// West of the first room a spur 6.6 m wide ends blind: the work in it leads west, and the machine comes out
+// of it by the way it came. Through the corridor it sticks out by no more than it did.
+TEST(SqueezedWays, BackOutOfASpurAndLeadOnAlongTheLand) {
+  Field field = rooms();
+  field.outer.insert(field.outer.end(), {{0, 33.6}, {-40, 33.6}, {-40, 27}, {0, 27}});
+  Scene scene(through_the_corridor, six_metres_wide(), field);
+  const SteeredPath into_the_spur = straight_on({30, 30.3}, 270, 65);
+  const Way straight = scene.connector.between(into_the_spur, scene.entered);
+  ASSERT_GT(straight.missing_m, 15) << "across the land of others";
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
+  const Way way = squeezed.along_the_land(straight, into_the_spur, scene.entered);
+  EXPECT_LT(way.missing_m, 3);
+  ASSERT_TRUE(way.backs_out);
+  const std::vector<RouteLeg> legs = legs_of(way);
+  ASSERT_GE(legs.size(), 2U);
+  EXPECT_EQ(legs.front().kind, LegKind::kBackOut);
+  EXPECT_GE(length(legs.front().path), 35) << "to where there is room to turn";
+  EXPECT_EQ(legs.front().missing_m, 0) << "along its work it has room";
+  EXPECT_EQ(legs[1].missing_m, way.missing_m);
+  EXPECT_LT(distance(end_of(way.path).at, scene.entered.front().start.at), 1e-6);
 }
 
 TEST(SqueezedWays, AreWhatTheyWereWhereNoLineLeadsThere) {

@@ -35,6 +35,8 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   const bool apart = stops_stand_apart(canvas, plan);
   if (!apart) draw_stops(canvas, plan);
   draw_faults(canvas, plan);
+  // They keep to lanes that nobody works: under what is missed they would not be seen.
+  draw_ways_without_room(canvas, plan);
   // A detour leaves its strip, so it mostly runs through overlap: under it, it would not be seen.
   draw_detours(canvas, plan);
   if (apart) draw_stops(canvas, plan);

@@ -29,9 +29,11 @@ void draw_track_lines(Canvas& canvas, const Plan& plan);
 /// The turns between tracks: the way of the axle's middle, dashed in reverse; those without room in red.
 /// Where tracks are far apart and nothing fits, nothing is drawn.
 void draw_turns(Canvas& canvas, const Plan& plan);
-/// The legs of the route with the work off: turns, transits, and backing out dashed as everything in reverse;
-/// those without room in red.
+/// The legs of the route with the work off and with room: turns, transits, and backing out dashed as
+/// everything in reverse.
 void draw_route(Canvas& canvas, const Plan& plan);
+/// Those without room, in red.
+void draw_ways_without_room(Canvas& canvas, const Plan& plan);
 /// Where the route starts and where it ends.
 void draw_route_ends(Canvas& canvas, const Plan& plan);
 /// An arrow head on each track, or on some of very close tracks, where it is inside `seen`, m.

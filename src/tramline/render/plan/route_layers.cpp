@@ -13,13 +13,15 @@ Colour colour_of_leg(const RouteLeg& leg) {
   return leg.kind == LegKind::kTransit ? kTransitColour : kTurnColour;
 }
 
-}  // namespace
+enum class Room { kEnough, kMissing };
 
-void draw_route(Canvas& canvas, const Plan& plan) {
+Room room_of(const RouteLeg& leg) { return leg.missing_m > 0 ? Room::kMissing : Room::kEnough; }
+
+void draw_legs(Canvas& canvas, const Plan& plan, Room room) {
   const double k = canvas.scale();
   const double thickness = std::clamp(0.25 * swath_px(canvas, plan), 0.5 * k, kTurnLine * k);
   for (const RouteLeg& leg : plan.route.legs) {
-    if (leg.work) continue;
+    if (leg.work || room_of(leg) != room) continue;
     const Path way = trace(leg.path, sagitta_m(canvas.view()));
     if (way.empty()) continue;
     Stroke stroke{colour_of_leg(leg), thickness};
@@ -27,6 +29,12 @@ void draw_route(Canvas& canvas, const Plan& plan) {
     curve(canvas, way, stroke);
   }
 }
+
+}  // namespace
+
+void draw_route(Canvas& canvas, const Plan& plan) { draw_legs(canvas, plan, Room::kEnough); }
+
+void draw_ways_without_room(Canvas& canvas, const Plan& plan) { draw_legs(canvas, plan, Room::kMissing); }
 
 void draw_route_ends(Canvas& canvas, const Plan& plan) {
   const auto has_way = [](const RouteLeg& leg) { return !leg.path.empty(); };

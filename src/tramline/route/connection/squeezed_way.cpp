@@ -4,6 +4,9 @@
 #include <cassert>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "tramline/route/axle/axle_path.h"
 
 namespace tramline {
 namespace {
@@ -19,6 +22,28 @@ Machine narrower(Machine machine, double share) {
   machine.turning.front_overhang_m *= share;
   machine.turning.rear_overhang_m *= share;
   return machine;
+}
+
+/// The stretches of one gear after another.
+std::vector<SteeredPath> by_gear(const SteeredPath& path) {
+  std::vector<SteeredPath> out;
+  for (const SteeredStretch& stretch : path) {
+    if (out.empty() || out.back().back().gear != stretch.gear) out.emplace_back();
+    out.back().push_back(stretch);
+  }
+  return out;
+}
+
+/// The way of a narrower machine that backs only where this one has room: along its work.
+std::optional<Way> with_backing(const Connector& narrowed, const SteeredPath& left,
+                                const SteeredPath& entered, const DrivingGround& ground) {
+  Way way = narrowed.between(left, entered);
+  if (!way.has_room()) return std::nullopt;
+  way = narrowed.with_less_backing(way, left, entered);
+  for (const SteeredPath& part : by_gear(way.path))
+    if (part.front().gear == Gear::kReverse && !ground.has_room_along(part)) return std::nullopt;
+  way.backs_on_land = true;
+  return way;
 }
 
 }  // namespace
@@ -41,19 +66,36 @@ SqueezedWays::SqueezedWays(const Connector& connector, const Field& field, const
 
 SqueezedWays::~SqueezedWays() = default;
 
+const Connector& SqueezedWays::narrowed(std::size_t step) {
+  while (narrowed_.size() <= step)
+    narrowed_.push_back(
+        std::make_unique<Narrowed>(connector_, field_, body_, roadmap_for_, kNarrowed[narrowed_.size()]));
+  return narrowed_[step]->connector;
+}
+
+std::optional<Way> SqueezedWays::nearer_the_land(double missing_m, const SteeredPath& left,
+                                                 const SteeredPath& entered, Backing backing) {
+  const DrivingGround& ground = connector_.ground();
+  for (std::size_t step = 0; step < kNarrowed.size(); ++step) {
+    std::optional<Way> found = backing == Backing::kNone
+                                   ? narrowed(step).without_backing(left, entered)
+                                   : with_backing(narrowed(step), left, entered, ground);
+    if (!found) continue;
+    found->missing_m = ground.turning().missing_m(found->path, ground.outline());
+    if (found->missing_m > 0 && found->missing_m <= missing_m - kLess_m) return found;
+  }
+  return std::nullopt;
+}
+
 Way SqueezedWays::along_the_land(Way way, const SteeredPath& left, const SteeredPath& entered) {
   assert(!way.has_room());
   const DrivingGround& ground = connector_.ground();
   if (ground.outline().tows()) return way;
-  for (std::size_t i = 0; i < kNarrowed.size(); ++i) {
-    if (i == narrowed_.size())
-      narrowed_.push_back(std::make_unique<Narrowed>(connector_, field_, body_, roadmap_for_, kNarrowed[i]));
-    std::optional<Way> found = narrowed_[i]->connector.without_backing(left, entered);
-    if (!found) continue;
-    found->missing_m = ground.turning().missing_m(found->path, ground.outline());
-    if (found->missing_m > 0 && found->missing_m <= way.missing_m - kLess_m) return *found;
-  }
-  return way;
+  if (auto found = nearer_the_land(way.missing_m, left, entered, Backing::kNone)) return std::move(*found);
+  // In a lane it sticks out by half its width at the most.
+  if (way.missing_m <= half_breadth_m(ground.outline())) return way;
+  auto found = nearer_the_land(way.missing_m, left, entered, Backing::kAsNeeded);
+  return found ? std::move(*found) : way;
 }
 
 }  // namespace tramline

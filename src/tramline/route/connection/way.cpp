@@ -65,7 +65,7 @@ std::vector<RouteLeg> legs_of(const Way& way) {
       RouteLeg leg;
       leg.kind = way.kind;
       leg.gear = stretch.gear;
-      leg.missing_m = way.missing_m;
+      leg.missing_m = way.backs_on_land && stretch.gear == Gear::kReverse ? 0 : way.missing_m;
       out.push_back(std::move(leg));
     }
     out.back().path.push_back(stretch);

@@ -17,6 +17,7 @@ struct Way {
   double time_s = 0;           ///< lengths by their speeds, and changes of gear
   double cost_s = 0;           ///< time, and what driving over crop counts more
   double missing_m = 0;        ///< how far the outline leaves the land; 0: it has room
+  bool backs_on_land = false;  ///< where the way has no room, none is missing where it backs
   double lateral_error_m = 0;  ///< of a towed implement where the work begins
 
   bool has_room() const { return missing_m == 0; }
