@@ -40,11 +40,11 @@ TEST(BoundsOfPlannedRoutes, know_the_sides_that_machines_back_from) {
   for (const RouteLeg& leg : plan.route.legs) time_s += leg.time_s;
   EXPECT_GT(plan.route.proof.bound_s, 0.97 * time_s);
   with_bound_that_holds({{0, 0}, {15, 0}, {17, 90}, {15, 180}, {0, 180}, {2, 90}}, machine(6, 6));
-  Machine with_tractor = machine(6, 5);
-  with_tractor.turning.front_overhang_m = 2;
-  with_tractor.turning.vehicle_width_m = 2.5;
-  with_tractor.turning.implement_offset_m = 1;
-  with_bound_that_holds({{0, 0}, {70, 20}, {70, 80}, {0, 120}}, with_tractor);
+  Machine mounted = machine(6, 5);
+  mounted.turning.front_overhang_m = 2;
+  mounted.turning.vehicle_width_m = 2.5;
+  mounted.turning.implement_offset_m = 1;
+  with_bound_that_holds({{0, 0}, {70, 20}, {70, 80}, {0, 120}}, mounted);
 }
 
 // Without headlands each turn takes two stops, which the bound counts by their price. To back all along a

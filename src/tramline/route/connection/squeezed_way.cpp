@@ -4,9 +4,8 @@
 #include <cassert>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include "tramline/route/axle/axle_path.h"
+#include "tramline/turns/outline/outline.h"
 
 namespace tramline {
 namespace {
@@ -24,24 +23,14 @@ Machine narrower(Machine machine, double share) {
   return machine;
 }
 
-/// The stretches of one gear after another.
-std::vector<SteeredPath> by_gear(const SteeredPath& path) {
-  std::vector<SteeredPath> out;
-  for (const SteeredStretch& stretch : path) {
-    if (out.empty() || out.back().back().gear != stretch.gear) out.emplace_back();
-    out.back().push_back(stretch);
-  }
-  return out;
-}
-
 /// The way of a narrower machine that backs only where this one has room: along its work.
 std::optional<Way> with_backing(const Connector& narrowed, const SteeredPath& left,
                                 const SteeredPath& entered, const DrivingGround& ground) {
   Way way = narrowed.between(left, entered);
   if (!way.has_room()) return std::nullopt;
   way = narrowed.with_less_backing(way, left, entered);
-  for (const SteeredPath& part : by_gear(way.path))
-    if (part.front().gear == Gear::kReverse && !ground.has_room_along(part)) return std::nullopt;
+  for (const RouteLeg& leg : legs_of(way))
+    if (leg.gear == Gear::kReverse && !ground.has_room_along(leg.path)) return std::nullopt;
   way.backs_on_land = true;
   return way;
 }
