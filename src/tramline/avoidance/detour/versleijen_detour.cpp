@@ -1,6 +1,7 @@
 #include "tramline/avoidance/detour/versleijen_detour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tramline/avoidance/detour/track_side.h"
@@ -68,7 +69,8 @@ Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Tr
   const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
   if (rule.middle == DetourMiddle::kDrivable && smallest_radius(detour.path) < least * (1 - kRounding_share))
     return Refusal::kTooTight;
-  if (peak_m(detour.path, track) > rule.room_m + kSameDistance_m) return Refusal::kNoRoomBeside;
+  if (std::isfinite(rule.room_m) && peak_m(detour.path, track) > rule.room_m + kSameDistance_m)
+    return Refusal::kNoRoomBeside;
   const SwathLine line(detour.path, width_m);
   for (const TurnedHazard& hazard : around.hazards)
     if (runs_into(line, hazard)) return Refusal::kMeetsObstacle;

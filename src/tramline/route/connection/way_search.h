@@ -30,9 +30,10 @@ struct FoundWay {
 
 /// Finds the way of least cost from any of the beginnings to any of the ends: shortest Dubins words between
 /// them and poses of the roadmap, and along its lines. Only what has room is used. Words are tried for room
-/// when the search comes to them (A* with costs that are lower bounds until then). nullopt where none is
-/// found within a fixed effort, or none costs less than `no_more_than_s`. Forward, but for the paths of the
-/// ends. Deterministic.
+/// when the search comes to them (A* with costs that are lower bounds until then). From a beginning with a
+/// path longer than RoadmapWays::longest_word_m() no word is longer than that. nullopt where none is found
+/// within a fixed effort, or none costs less than `no_more_than_s`. Forward, but for the paths of the ends.
+/// Deterministic.
 std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
                                      RoadmapWays& on_roadmap, const DrivingGround& ground,
                                      double no_more_than_s = kAnyCost_s);
