@@ -22,6 +22,8 @@ Field field() {
   return out;
 }
 
+Machine six_metres() { return {"", 6, 6, -1}; }
+
 TEST(PricesToSearch, AreSixteenAtMostAndNoTwoAlike) {
   EXPECT_EQ(prices_to_search({}).size(), 16u);
   // A price of 0 stays 0 times anything.
@@ -30,7 +32,7 @@ TEST(PricesToSearch, AreSixteenAtMostAndNoTwoAlike) {
 }
 
 TEST(TradeOff, PlansAreLaidAgainAsTheyWereTallied) {
-  const TradeOff found = trade_off(field(), {}, {}, {}, 1);
+  const TradeOff found = trade_off(field(), six_metres(), {}, {}, 1);
   ASSERT_GT(found.front.points.size(), 3u);
   for (std::size_t i = 0; i < found.front.points.size(); ++i) {
     SCOPED_TRACE(i);
@@ -46,8 +48,8 @@ TEST(TradeOff, PlansAreLaidAgainAsTheyWereTallied) {
 }
 
 TEST(TradeOff, KnowsThePlanOfTheGivenPrices) {
-  const TradeOff found = trade_off(field(), {}, {}, {}, 1);
-  const Plan planned = plan_field(field(), {}, {}, {}, 1);
+  const TradeOff found = trade_off(field(), six_metres(), {}, {}, 1);
+  const Plan planned = plan_field(field(), six_metres(), {}, {}, 1);
   const Plan given = given_plan(found);
   EXPECT_EQ(given.cost, planned.cost);
   EXPECT_EQ(given.pieces.size(), planned.pieces.size());
@@ -77,7 +79,8 @@ TEST(TradeOff, NoAreaIsLessThanNothing) {
 }
 
 TEST(TradeOff, IsTheSameForAnyNumberOfThreads) {
-  const TradeOff one = trade_off(field(), {}, {}, {}, 1), three = trade_off(field(), {}, {}, {}, 3);
+  const TradeOff one = trade_off(field(), six_metres(), {}, {}, 1),
+                 three = trade_off(field(), six_metres(), {}, {}, 3);
   ASSERT_EQ(one.front.points.size(), three.front.points.size());
   for (std::size_t i = 0; i < one.front.points.size(); ++i) {
     EXPECT_EQ(one.front.points[i].tally.overlap_m2, three.front.points[i].tally.overlap_m2);
@@ -89,7 +92,7 @@ TEST(TradeOff, IsTheSameForAnyNumberOfThreads) {
 
 TEST(TradeOff, TellsOfSearchesAsTheyEnd) {
   int last = 0;
-  trade_off(field(), {}, {}, {}, 2, [&](int done, int total) {
+  trade_off(field(), six_metres(), {}, {}, 2, [&](int done, int total) {
     // Between two searches the same is told again and again, and before the first nothing.
     if (done == last) return Demand::kGoOn;
     EXPECT_EQ(done, ++last);

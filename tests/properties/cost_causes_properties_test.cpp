@@ -126,7 +126,7 @@ void for_random_scenes(int standard, MakeScene make) {
 }
 
 TEST(CostCausesProperties, PartTheTallyOfPlansOverFields) {
-  for_random_scenes(12, [](std::mt19937_64& random) {
+  for_random_scenes(8, [](std::mt19937_64& random) {
     Scene scene;
     scene.field = testing::random_field(random, 4);
     scene.settings.end_rule = static_cast<EndRule>(random() % 4);
@@ -137,7 +137,7 @@ TEST(CostCausesProperties, PartTheTallyOfPlansOverFields) {
 }
 
 TEST(CostCausesProperties, PartTheTallyOfPlansAmongObstacles) {
-  for_random_scenes(40, [](std::mt19937_64& random) {
+  for_random_scenes(25, [](std::mt19937_64& random) {
     Scene scene = testing::random_scene(random);
     scene.settings.strategy = Strategy::kSweep;
     return scene;

@@ -82,7 +82,7 @@ class PlanProperties : public ::testing::Test {
 
 /// The other road: the useful area by polygon booleans.
 TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
-  for_random_fields(30, [](const Field& field, const Request& request) {
+  for_random_fields(20, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-6 * area(Polygon{field.outer, {}});
@@ -151,7 +151,7 @@ TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
 /// Zhou's L·w − O = |F_b|, with tracks that begin at the envelope on either side, by strips and by the
 /// paper's own construction along a straight line with its plain headlands.
 TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
-  for_random_fields(20, [&](Field field, Request request) {
+  for_random_fields(15, [&](Field field, Request request) {
     std::erase_if(field.obstacles, [](const Obstacle& o) { return o.kind == ObstacleKind::kPassable; });
     bool any = false;
     for (const TrackConstruction tracks : {TrackConstruction::kParallel, TrackConstruction::kPaper}) {
@@ -181,7 +181,7 @@ TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
 
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
-  for_random_fields(30, [](const Field& field, const Request& request) {
+  for_random_fields(20, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);
@@ -209,7 +209,7 @@ TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
 }
 
 TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
-  for_random_fields(100, [](const Field& field, Request request) {
+  for_random_fields(60, [](const Field& field, Request request) {
     request.settings.end_rule = EndRule::kCover;
     request.settings.boundary = EdgeKind::kSoft;
     request.machine.min_length_m = 0;
@@ -224,7 +224,7 @@ TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
 }
 
 TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
-  for_random_fields(12, [](const Field& field, const Request& request) {
+  for_random_fields(6, [](const Field& field, const Request& request) {
     const auto one = try_plan(field, request, 1), four = try_plan(field, request, 4);
     EXPECT_EQ(one.has_value(), four.has_value());
     if (!one || !four) return false;
@@ -241,7 +241,7 @@ TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
 // The candidates of the sweep are the same set whatever the frame, so the least cost is the same as long as
 // no two candidates tie: random fields are in general position.
 TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
-  for_random_fields(25, [](const Field& field, Request request) {
+  for_random_fields(15, [](const Field& field, Request request) {
     request.settings.strategy = Strategy::kSweep;
     const auto plan = try_plan(field, request);
     if (!plan) return false;
@@ -263,7 +263,7 @@ TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
 /// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
 /// road on the areas is the same.
 TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
-  for_random_fields(12, [](const Field& field, const Request& request) {
+  for_random_fields(8, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
     const Polygon waterway{

@@ -39,7 +39,7 @@ void expect_front(const Front& front, const Plan& planned, std::mt19937_64& rand
 
 TEST(TradeOffProperties, NothingIsDominatedAndThePlanIsNoCheaper) {
   int compared = 0;
-  const int cases = case_count(4);
+  const int cases = case_count(3);
   for (int i = 0; i < cases; ++i) {
     const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -48,6 +48,23 @@ TEST(DrawPlan, FaultsHaveTheirColoursWhereTheyLie) {
   }
 }
 
+TEST(DrawPlan, WaysWithoutRoomAreSeenOverMissedLandAndOthersAreNot) {
+  const Folder folder;
+  Plan plan = sample_plan();
+  const Pose east{{85, 30}, Heading::clockwise_from_north(Angle::degrees(90))};
+  RouteLeg leg;
+  leg.kind = LegKind::kTransit;
+  leg.path = {arc_from(east, 14, 0, Gear::kForward)};
+  plan.route.legs = {leg};
+  const Point on_missed_land = layout_of(plan).view.to_page({93, 30});
+  draw_plan(plan, folder / "room.png");
+  EXPECT_EQ(Pixels(folder / "room.png").at(on_missed_land), kUncoveredHex);
+  plan.route.legs.front().missing_m = 2;
+  const Point there = layout_of(plan).view.to_page({93, 30});
+  draw_plan(plan, folder / "no-room.png");
+  EXPECT_EQ(Pixels(folder / "no-room.png").at(there), kNoRoomHex);
+}
+
 TEST(DrawPlan, ObstacleIsDark) {
   const Folder folder;
   const Plan plan = sample_plan();

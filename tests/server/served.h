@@ -115,7 +115,7 @@ class Served {
                       bool explain = false) const {
     const Got begun = post("/jobs", {{"kind", "plan"},
                                      {"field", field},
-                                     {"machine", {{"name", "drill"}, {"width_m", 6}, {"radius_m", 6}}},
+                                     {"machine", {{"name", "drill"}, {"width_m", 12}, {"radius_m", 6}}},
                                      {"settings", settings},
                                      {"explain", explain}});
     const ordered_json job = job_of(begun);

@@ -133,6 +133,21 @@ TEST(SqueezedWays, BackOutOfASpurAndLeadOnAlongTheLand) {
   EXPECT_LT(distance(end_of(way.path).at, scene.entered.front().start.at), 1e-6);
 }
 
+// In a spur 5 m wide the machine would stick out while it backs, however narrow a machine backs out of it.
+TEST(SqueezedWays, BackOutOfNoSpurThatIsTooNarrow) {
+  Field field = rooms();
+  field.outer.insert(field.outer.end(), {{0, 32.8}, {-40, 32.8}, {-40, 27.8}, {0, 27.8}});
+  Scene scene(through_the_corridor, six_metres_wide(), field);
+  const SteeredPath into_the_spur = straight_on({30, 30.3}, 270, 65);
+  const Way straight = scene.connector.between(into_the_spur, scene.entered);
+  ASSERT_GT(straight.missing_m, 15) << "across the land of others";
+  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
+  const Way way = squeezed.along_the_land(straight, into_the_spur, scene.entered);
+  EXPECT_FALSE(way.backs_on_land);
+  EXPECT_EQ(length(way.path), length(straight.path));
+  EXPECT_EQ(way.missing_m, straight.missing_m);
+}
+
 TEST(SqueezedWays, AreWhatTheyWereWhereNoLineLeadsThere) {
   Scene scene(no_lines, six_metres_wide());
   const Way straight = scene.connector.between(scene.left, scene.entered);

@@ -83,7 +83,7 @@ TEST_F(ServerTest, ManyPlansAtOnceAreAllTheSame) {
 }
 
 TEST_F(ServerTest, EventsTellHowAJobGoesAndEnds) {
-  const std::string field = served.field_of("riverside.geojson");
+  const std::string field = served.field_of("plain-metres.gpkg");
   const Got begun = served.post(
       "/jobs", {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}});
   httplib::Client client("127.0.0.1", served.port());
@@ -158,7 +158,7 @@ TEST_F(ServerTest, ASearchEndsAfterTheSecondsItIsGiven) {
     const ordered_json job =
         served.job_of(served.post("/jobs", {{"kind", "plan"},
                                             {"field", field},
-                                            {"machine", {{"width_m", 1}, {"radius_m", 6}}},
+                                            {"machine", {{"width_m", 3}, {"radius_m", 6}}},
                                             {"objective", {{"minimise", "overlap"}}},
                                             {"seconds", seconds}}));
     EXPECT_EQ(job["state"], "done") << job.dump();

@@ -127,7 +127,7 @@ TEST(Races, APlanThatIsTakenAwayWhileItIsDeletedIsWholeOrNotThere) {
 }
 
 TEST_F(ServerTest, AFieldThatIsDeletedWhileItIsPlannedLeavesAPlanThatHolds) {
-  const std::string field = served.field_of("riverside.geojson");
+  const std::string field = served.field_of("plain-metres.gpkg");
   const Got begun = served.post(
       "/jobs", {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}});
   EXPECT_EQ(served.remove("/fields/" + field).status, 200);
