@@ -43,7 +43,7 @@ TEST_F(ServerTest, KeepsWhatAPlanWasAskedForAndWhatItsRouteTakes) {
   const std::string id = served.planned(field, settings);
   const ordered_json plan = served.get("/plans/" + id).json;
   EXPECT_EQ(plan["asked"]["settings"], settings);
-  EXPECT_EQ(plan["asked"]["machine"]["width_m"], 6);
+  EXPECT_EQ(plan["asked"]["machine"]["width_m"], 12);
   EXPECT_FALSE(plan["asked"].contains("field"));
   const ordered_json listed = served.get("/plans").json[0];
   EXPECT_EQ(listed["route"]["euros"], plan["summary"]["whole_cost"]["euros"]);

@@ -127,9 +127,9 @@ TEST(Races, APlanThatIsTakenAwayWhileItIsDeletedIsWholeOrNotThere) {
 }
 
 TEST_F(ServerTest, AFieldThatIsDeletedWhileItIsPlannedLeavesAPlanThatHolds) {
-  const std::string field = served.field_of("plain-metres.gpkg");
+  const std::string field = served.field_of("terrace.kml");
   const Got begun = served.post(
-      "/jobs", {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 6}, {"radius_m", 6}}}});
+      "/jobs", {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 12}, {"radius_m", 6}}}});
   EXPECT_EQ(served.remove("/fields/" + field).status, 200);
   const ordered_json job = served.job_of(begun);
   ASSERT_EQ(job["state"], "done") << job.dump();
