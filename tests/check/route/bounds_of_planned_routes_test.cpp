@@ -39,7 +39,7 @@ TEST(BoundsOfPlannedRoutes, know_the_sides_that_machines_back_from) {
   double time_s = 0;
   for (const RouteLeg& leg : plan.route.legs) time_s += leg.time_s;
   EXPECT_GT(plan.route.proof.bound_s, 0.97 * time_s);
-  with_bound_that_holds({{0, 0}, {15, 0}, {17, 90}, {15, 180}, {0, 180}, {2, 90}}, machine(6, 6));
+  with_bound_that_holds({{0, 0}, {15, 0}, {16, 35}, {15, 70}, {0, 70}, {1, 35}}, machine(6, 6));
   Machine mounted = machine(6, 5);
   mounted.turning.front_overhang_m = 2;
   mounted.turning.vehicle_width_m = 2.5;
