@@ -65,10 +65,10 @@ TEST(ChooseDetours, TheFirstPieceOfASubfieldPaysForIt) {
     Machine with = machine(3, 1);
     with.min_length_m = 8;
     const Objective prices{0.02, 0.1, 1, 5, subfield_price};
-    const PoleField whole(rectangle(0, 0, 24, 16), {rectangle(22.2, 7.7, 22.8, 8.3)}, with, prices);
+    const PoleField whole(box(0, 0, 24, 16), {box(22.2, 7.7, 22.8, 8.3)}, with, prices);
     const AvoidanceTask one = whole.task();
     const TurnedGround turned{one.ground.hard, one.ground.passable, {}, one.ground.beyond};
-    const std::vector<Polygon> parts{{rectangle(0, 0, 21, 16), {}}, {rectangle(21, 0, 24, 16), {}}};
+    const std::vector<Polygon> parts{{box(0, 0, 21, 16), {}}, {box(21, 0, 24, 16), {}}};
     std::vector<Subfield> subfields;
     std::vector<TrackFamily> families;
     for (const Polygon& part : parts) {
@@ -171,8 +171,8 @@ const Objective kExpensiveStops{0.04, 0.10, 0.45, 1000};
 // Half a metre of pole on a track of 3 m asks for h = 1.75 and √(4·12·1.75 − 1.75²) = 9.0 m behind it. There
 // are 5 m to the northern edge.
 TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
-  const auto pole_at = [](double y) { return rectangle(10.25, y - 0.25, 10.75, y + 0.25); };
-  const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kExpensiveStops);
+  const auto pole_at = [](double y) { return box(10.25, y - 0.25, 10.75, y + 0.25); };
+  const PoleField near(box(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kExpensiveStops);
   EXPECT_EQ(detours_in(near.plan()), 0);
   EXPECT_EQ(near.plan().tally.stops, 2);
   const std::vector<PlacedEncounter> found = encounters_in(near.task(), near.plan());
@@ -180,16 +180,16 @@ TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
   EXPECT_EQ(found[0].chosen, Passing::kCut);
   EXPECT_FALSE(found[0].left.possible || found[0].right.possible);
   EXPECT_EQ(found[0].left.why_not, "the track ends before a detour could");
-  const PoleField far(rectangle(0, 0, 21, 100), {pole_at(90)}, machine(3, 12), kExpensiveStops);
+  const PoleField far(box(0, 0, 21, 100), {pole_at(90)}, machine(3, 12), kExpensiveStops);
   EXPECT_EQ(detours_in(far.plan()), 1);
 }
 
 // Each alone would take 9 m to both sides of its pole.
 TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
-  const auto pole_at = [](double y) { return rectangle(10.25, y - 0.25, 10.75, y + 0.25); };
+  const auto pole_at = [](double y) { return box(10.25, y - 0.25, 10.75, y + 0.25); };
   for (const double apart : {4.0, 8.0, 12.0, 17.0}) {
     SCOPED_TRACE(apart);
-    const PoleField field(rectangle(0, 0, 21, 100), {pole_at(40), pole_at(40 + apart)}, machine(3, 12),
+    const PoleField field(box(0, 0, 21, 100), {pole_at(40), pole_at(40 + apart)}, machine(3, 12),
                           kExpensiveStops);
     const Avoided found = field.plan();
     EXPECT_EQ(found.tally.stops, 0);
@@ -199,8 +199,7 @@ TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
     expect_own_tally(field, found);
     expect_off_poles(field, found);
   }
-  const PoleField field(rectangle(0, 0, 21, 100), {pole_at(30), pole_at(60)}, machine(3, 12),
-                        kExpensiveStops);
+  const PoleField field(box(0, 0, 21, 100), {pole_at(30), pole_at(60)}, machine(3, 12), kExpensiveStops);
   EXPECT_EQ(detours_in(field.plan()), 2);
   expect_own_tally(field, field.plan());
 }
@@ -212,8 +211,8 @@ TEST(ChooseDetours, PolesOnAlternateSidesArePassedWithoutOverlap) {
     for (const double off : {0.6, 1.0, 1.3})
       for (const double radius : {0.0, 3.0, 6.0, 12.0}) {
         SCOPED_TRACE(::testing::Message() << apart << " apart, off " << off << ", r " << radius);
-        const auto pole = [](double x, double y) { return rectangle(x - 0.2, y - 0.2, x + 0.2, y + 0.2); };
-        const PoleField field(rectangle(0, 0, 21, 120), {pole(10.5 + off, 60), pole(10.5 - off, 60 + apart)},
+        const auto pole = [](double x, double y) { return box(x - 0.2, y - 0.2, x + 0.2, y + 0.2); };
+        const PoleField field(box(0, 0, 21, 120), {pole(10.5 + off, 60), pole(10.5 - off, 60 + apart)},
                               machine(3, radius), kExpensiveStops);
         const Avoided found = field.plan();
         expect_own_tally(field, found);
@@ -233,8 +232,8 @@ std::vector<PlacedEncounter> encounters_by_a_spike(double tip_x, EdgeKind bounda
   settings.boundary = boundary;
   Ring outer{{0, 0}, {21, 0}, {21, 100}, {0, 100}};
   if (tip_x > 0) outer.insert(outer.end(), {{0, 54.05}, {tip_x, 54}, {0, 53.95}});
-  const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kExpensiveStops,
-                        settings, passable);
+  const PoleField field(outer, {box(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kExpensiveStops, settings,
+                        passable);
   std::vector<PlacedEncounter> out;
   for (PlacedEncounter& encounter : encounters_in(field.task(), field.plan()))
     if (encounter.track == 3) out.push_back(std::move(encounter));
@@ -266,7 +265,7 @@ TEST(ChooseDetours, NoSwathPassesAHardEdge) {
 }
 
 TEST(ChooseDetours, NoSwathEntersAPassableObstacle) {
-  const auto beside = [](double max_x) { return std::vector<Ring>{rectangle(6.5, 53.5, max_x, 54)}; };
+  const auto beside = [](double max_x) { return std::vector<Ring>{box(6.5, 53.5, max_x, 54)}; };
   expect_only_right(encounters_by_a_spike(0, EdgeKind::kSoft, beside(7.75)),
                     "its swath would enter a passable obstacle");
   expect_both(encounters_by_a_spike(0, EdgeKind::kSoft, beside(7.55)));
@@ -280,9 +279,9 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
       std::vector<Ring> row;
       for (int i = 0; i < 20; ++i) {
         const Point at{10.5 + slant * i, 40 + apart * i};
-        row.push_back(rectangle(at.x - 0.2, at.y - 0.2, at.x + 0.2, at.y + 0.2));
+        row.push_back(box(at.x - 0.2, at.y - 0.2, at.x + 0.2, at.y + 0.2));
       }
-      const Ring outer = rectangle(0, 0, 21, 80 + 20 * apart);
+      const Ring outer = box(0, 0, 21, 80 + 20 * apart);
       const PoleField expensive(outer, row, machine(3, 6), kExpensiveStops);
       const Avoided passed = expensive.plan();
       expect_own_tally(expensive, passed);
@@ -302,12 +301,12 @@ TEST(ChooseDetours, NoThresholdMakesTheCheapestCostlier) {
   std::vector<Ring> poles;
   for (int i = 0; i < 12; ++i) {
     const Point at{3.0 + 2.3 * i, 20.0 + 13 * (i % 5)};
-    poles.push_back(rectangle(at.x, at.y, at.x + 0.3 + 0.4 * i, at.y + 0.4 + 0.3 * (i % 4)));
+    poles.push_back(box(at.x, at.y, at.x + 0.3 + 0.4 * i, at.y + 0.4 + 0.3 * (i % 4)));
   }
   const auto planned = [&](double threshold_m, Avoidance avoid) {
     PlanSettings settings;
     settings.avoid_threshold_m = threshold_m;
-    return PoleField(rectangle(0, 0, 36, 110), poles, machine(3, 6), {}, settings).plan(avoid).cost;
+    return PoleField(box(0, 0, 36, 110), poles, machine(3, 6), {}, settings).plan(avoid).cost;
   };
   const double without_paper = planned(0, Avoidance::kCheapest);
   EXPECT_DOUBLE_EQ(planned(0, Avoidance::kPaper), planned(0, Avoidance::kCut));
@@ -428,9 +427,9 @@ TEST(ChooseDetours, ThePapersWayIsComparedWithAllOthers) {
 TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
   std::vector<Ring> chain;
   // From a pole on the track at y = 50 away to the east, and then far north.
-  for (int i = 0; i <= 3; ++i) chain.push_back(rectangle(10.4 + 2.5 * i, 49.8, 10.8 + 2.5 * i, 50.2));
-  for (int i = 1; i <= 12; ++i) chain.push_back(rectangle(17.9, 49.8 + 2.5 * i, 18.3, 50.2 + 2.5 * i));
-  const PoleField field(rectangle(0, 0, 30, 120), chain, machine(3, 6), kExpensiveStops);
+  for (int i = 0; i <= 3; ++i) chain.push_back(box(10.4 + 2.5 * i, 49.8, 10.8 + 2.5 * i, 50.2));
+  for (int i = 1; i <= 12; ++i) chain.push_back(box(17.9, 49.8 + 2.5 * i, 18.3, 50.2 + 2.5 * i));
+  const PoleField field(box(0, 0, 30, 120), chain, machine(3, 6), kExpensiveStops);
   ASSERT_EQ(field.ground().hard.size(), 1u);
   const Avoided found = field.plan();
   int looked_at = 0;

@@ -25,7 +25,7 @@ Region swath_parts(const LaidPiece& piece, const StripGrid& grid) {
   const double left = grid.line(piece.track), right = grid.line(piece.track + 1);
   double at = piece.from;
   const auto add_straight = [&](double to) {
-    if (to > at) out.push_back({rectangle(left, at, right, to), {}});
+    if (to > at) out.push_back({box(left, at, right, to), {}});
   };
   for (const TrackDetour& detour : piece.detours) {
     add_straight(detour.from);
@@ -51,10 +51,6 @@ LaidPiece piece(int track, double from, double to) {
 }
 
 }  // namespace
-
-Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
 
 Ring regular(int corners, double radius, Point centre) {
   Ring ring;
@@ -182,12 +178,12 @@ int detours_in(const Avoided& avoided) {
   return static_cast<int>(sum);
 }
 
-Ring field_ring(double width_m) { return rectangle(0, 0, 7 * width_m, 160); }
+Ring field_ring(double width_m) { return box(0, 0, 7 * width_m, 160); }
 
 Ring ring_of(const Pole& pole) {
   const Point at{3.5 * pole.width_m + pole.off_m, 80};
   const double half = 0.5 * pole.across_m;
-  if (pole.corners == 4) return rectangle(at.x - half, at.y - half, at.x + half, at.y + half);
+  if (pole.corners == 4) return box(at.x - half, at.y - half, at.x + half, at.y + half);
   return regular(pole.corners, half, at);
 }
 

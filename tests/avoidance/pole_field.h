@@ -5,11 +5,12 @@
 
 #include <vector>
 
+#include "support/box_ring.h"
 #include "tramline/avoidance/choose_detours.h"
 
 namespace tramline::testing_poles {
 
-Ring rectangle(double min_x, double min_y, double max_x, double max_y);
+using testing_support::box;
 /// Regular, with its corners on the circle, the first one due east.
 Ring regular(int corners, double radius, Point centre);
 

@@ -69,9 +69,9 @@ TEST(Blindness, FieldCornerDeleted) {
 
 TEST(Blindness, LandGivenUpOutsideTheBody) {
   Plan plan = rectangle_plan();
-  plan.given_up = {{rectangle(100.01, 0, 101, 10), {}}};
+  plan.given_up = {{box(100.01, 0, 101, 10), {}}};
   // Its swaths now stop against that land, were it there.
-  plan.given_up[0].outer = rectangle(110, 0, 120, 10);
+  plan.given_up[0].outer = box(110, 0, 120, 10);
   EXPECT_EQ(found(plan), Names{"body"});
 }
 
@@ -112,8 +112,8 @@ TEST(Blindness, FalseFigures) {
   EXPECT_EQ(with([](Plan& p) { p.tally.overlap_m2 = std::numeric_limits<double>::quiet_NaN(); }),
             Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.uncovered.clear(); }), Names{"tally"});
-  EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(-50, -50, -49, -49), {}}}; }), Names{"tally"});
-  EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(1, 1, 11, 11), {}}}; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap = {{box(-50, -50, -49, -49), {}}}; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap = {{box(1, 1, 11, 11), {}}}; }), Names{"tally"});
 }
 
 /// Land worked twice within the field, and worked beyond it; by three swaths, too.
@@ -135,10 +135,10 @@ TEST(Blindness, LayersOfLandThatAreNotSo) {
     EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.clear(); }), Names{"tally"});
     EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.pop_back(); }), Names{"tally"});
     EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back(p.overlap.front()); }), Names{"tally"});
-    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back({rectangle(1, 1, 2, 2), {}}); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back({box(1, 1, 2, 2), {}}); }), Names{"tally"});
   }
   // As much elsewhere does not do.
-  EXPECT_EQ(with(thrice, [](Plan& p) { p.overlap = {{rectangle(0, 3, 100, 6), {}}}; }), Names{"tally"});
+  EXPECT_EQ(with(thrice, [](Plan& p) { p.overlap = {{box(0, 3, 100, 6), {}}}; }), Names{"tally"});
   const Plan missed = triangle_plan(EndRule::kInside, 1);
   EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
   EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.push_back(p.uncovered.front()); }), Names{"tally"});
@@ -279,7 +279,7 @@ TEST(Blindness, OverlappingAndMissingSubfields) {
   plan.subfields[1].shape.outer = {{39, 0}, {100, 0}, {100, 30}, {59, 30}};
   EXPECT_EQ(found(plan), Names{"subfields"});
   plan = two_subfields_plan();
-  plan.subfields.push_back({{rectangle(101, 0, 110, 10), {}}, plan.subfields[0].direction});
+  plan.subfields.push_back({{box(101, 0, 110, 10), {}}, plan.subfields[0].direction});
   EXPECT_EQ(found(plan), Names{"subfields"});
 }
 

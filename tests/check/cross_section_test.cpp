@@ -34,8 +34,7 @@ TEST(CrossSection, JumpsWhereAnEdgeLiesAcross) {
 }
 
 TEST(CrossSection, HolesCountAsOutside) {
-  const Polygon holed{testing_plans::rectangle(0, 0, 20, 4),
-                      {reversed(testing_plans::rectangle(8, 1, 9, 3))}};
+  const Polygon holed{testing_plans::box(0, 0, 20, 4), {reversed(testing_plans::box(8, 1, 9, 3))}};
   const Path line = straight_path({0, 2}, {20, 2});
   const check::Stretch below = longest_below(holed, line, 2, 4);
   EXPECT_NEAR(below.from_m, 8, 1e-9);

@@ -237,7 +237,7 @@ TEST(CurvedPlans, EndBeyondTheBody) {
 TEST(CurvedPlans, EndsAtAnObliqueEdge) {
   const double h = 25;
   Plan plan = arcs_plan();
-  plan.field.outer = difference({{plan.field.outer, {}}}, {{rectangle(-50, h, 50, 50), {}}})[0].outer;
+  plan.field.outer = difference({{plan.field.outer, {}}}, {{box(-50, h, 50, 50), {}}})[0].outer;
   plan.body = {{plan.field.outer, {}}};
   plan.subfields[0].shape = plan.body[0];
   const auto driven = [&plan, h](EndRule rule, double share, double further_m) {
@@ -332,8 +332,8 @@ TEST(CurvedPlans, FalseFigures) {
   EXPECT_EQ(with([](Plan& p) { p.tally.overlap_m2 += 0.05; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.tally.uncovered_m2 += 0.05; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.tally.track_length_m += 0.001; }), Names{"tally"});
-  EXPECT_EQ(with([](Plan& p) { p.overlap.push_back({rectangle(31, 1, 32, 2), {}}); }), Names{"tally"});
-  EXPECT_EQ(with([](Plan& p) { p.uncovered.push_back({rectangle(31, 1, 32, 2), {}}); }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap.push_back({box(31, 1, 32, 2), {}}); }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.uncovered.push_back({box(31, 1, 32, 2), {}}); }), Names{"tally"});
 }
 
 /// Land worked twice has to be in the layer.
@@ -416,7 +416,7 @@ TEST(CurvedPlans, ObstacleAcrossTheStraightPartOfABentTrack) {
   };
   plan.pieces.push_back(piece({31.5, -30}, {31.5, -20}));
   plan.pieces.push_back(piece({31.5, -15}, {31.5, -5}));
-  plan.field.obstacles = {{{rectangle(31, -20, 32, -15), {}}, ObstacleKind::kObstacle, "trough"}};
+  plan.field.obstacles = {{{box(31, -20, 32, -15), {}}, ObstacleKind::kObstacle, "trough"}};
   EXPECT_TRUE(found(settled(plan)).contains("encounters"));
   plan.encounters = {encounter_on(plan.pieces.back(), {31.5, -17.5}, {0}, Passing::kCut)};
   EXPECT_FALSE(found(settled(plan)).contains("encounters"));

@@ -19,7 +19,7 @@ using check::Sides;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-Polygon pole(Point at) { return {rectangle(at.x - 0.25, at.y - 0.25, at.x + 0.25, at.y + 0.25), {}}; }
+Polygon pole(Point at) { return {box(at.x - 0.25, at.y - 0.25, at.x + 0.25, at.y + 0.25), {}}; }
 
 void expect_sides(const Sides& sides, double left_m, double right_m) {
   if (std::isinf(left_m))
@@ -47,7 +47,7 @@ TEST(DetourCourse, TellsTheSidesOfAStraightLine) {
   expect_sides(course.sides_of(pole({20, 5})), 4.75, kNowhere);
   expect_sides(course.sides_of(pole({-1, 0})), kNowhere, kNowhere);  // beyond its end
   EXPECT_NEAR(course.distance_to_line(pole({-1, 0})), 0.75, 1e-12);
-  expect_sides(course.sides_of({rectangle(-5, -5, 45, 45), {}}), 0, 0);  // all about it
+  expect_sides(course.sides_of({box(-5, -5, 45, 45), {}}), 0, 0);  // all about it
 }
 
 TEST(DetourCourse, IsMirroredInTheLine) {

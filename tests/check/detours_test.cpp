@@ -41,7 +41,7 @@ TEST(Detours, HoldWithTheFiguresOfTheirArcs) {
   EXPECT_EQ(plan.tally.pieces, 10);
   // What the bulge works of the strip beyond is overlap, what it leaves of its own is uncovered.
   const Region swath{{band(centre_line(plan.pieces[4]), 3, 1e-8), {}}};
-  const Region strip{{rectangle(0, 12, 100, 15), {}}};
+  const Region strip{{box(0, 12, 100, 15), {}}};
   EXPECT_NEAR(plan.tally.overlap_m2, 2 * area(difference(swath, strip)), 1e-3);
   EXPECT_NEAR(plan.tally.uncovered_m2, 2 * (area(difference(strip, swath)) - 0.25), 1e-3);
   EXPECT_GT(plan.tally.uncovered_m2, 10);
@@ -105,7 +105,7 @@ TEST(Detours, HoldFromTheVeryStartToTheVeryEndOfAPiece) {
 TEST(Detours, TwoInOnePiece) {
   const Plan plan = [] {
     Plan out = poles_plan();
-    const Ring pole = rectangle(79.75, 13.25, 80.25, 13.75);
+    const Ring pole = box(79.75, 13.25, 80.25, 13.75);
     out.field.obstacles.push_back({{pole, {}}, ObstacleKind::kObstacle, "pole"});
     out.body[0].holes.push_back(reversed(pole));
     out.subfields[0].shape = out.body[0];
@@ -151,11 +151,11 @@ TEST(Detours, EndsNearerThanTheClearance) {
       if (end->x == 40) end->x = 39.8;
       if (end->x == 60) end->x = 60.2;
     }
-  plan.given_up = {{rectangle(39.8, 9, 40, 15), {}}, {rectangle(60, 9, 60.2, 15), {}}};
+  plan.given_up = {{box(39.8, 9, 40, 15), {}}, {box(60, 9, 60.2, 15), {}}};
   plan.subfields[0].shape = difference(plan.body, plan.given_up)[0];
   // Above and below it nothing is left between the swaths and the obstacle's extent.
   EXPECT_EQ(found(settled(plan)), Names{});
-  plan.given_up[0] = {rectangle(39.85, 9, 40, 15), {}};
+  plan.given_up[0] = {box(39.85, 9, 40, 15), {}};
   for (TrackPiece& piece : plan.pieces)
     for (Point* end : {&piece.start, &piece.end})
       if (end->x == 39.8) end->x = 39.85;
@@ -165,13 +165,13 @@ TEST(Detours, EndsNearerThanTheClearance) {
 
 TEST(Detours, OverAPassableAndOverLandGivenUp) {
   Plan plan = poles_plan();
-  plan.given_up = {{rectangle(49.9, 14, 50.1, 14.3), {}}};
+  plan.given_up = {{box(49.9, 14, 50.1, 14.3), {}}};
   EXPECT_EQ(found(settled(plan)), (Names{"clearance", "subfields"}));
   plan.subfields[0].shape.holes.push_back(reversed(plan.given_up[0].outer));
   EXPECT_EQ(found(settled(plan)), Names{"clearance"});
 
   plan = poles_plan();
-  const Ring ditch = rectangle(49.9, 14, 50.1, 14.3);
+  const Ring ditch = box(49.9, 14, 50.1, 14.3);
   plan.field.obstacles.push_back({{ditch, {}}, ObstacleKind::kPassable, "ditch"});
   plan.body[0].holes.push_back(reversed(ditch));
   EXPECT_EQ(found(settled(plan)), Names{"clearance"});
@@ -187,9 +187,9 @@ TEST(Detours, OverTinyAndNeedleThinObstacles) {
     plan.pieces[4].detours[0].obstacles = plan.encounters[0].obstacles = {0, 2};
     return found(settled(plan));
   };
-  EXPECT_EQ(with(rectangle(50, 14.5, 50.05, 14.55)), Names{"clearance"});
+  EXPECT_EQ(with(box(50, 14.5, 50.05, 14.55)), Names{"clearance"});
   EXPECT_EQ(with({{50, 14}, {50.0001, 14}, {50, 14.9}}), Names{"clearance"});
-  EXPECT_EQ(with(rectangle(50, 12.1, 50.05, 12.15)), Names{});
+  EXPECT_EQ(with(box(50, 12.1, 50.05, 12.15)), Names{});
 }
 
 /// `by_deg` at either end of the first arc, which is flatter than its neighbours want it.
@@ -334,7 +334,7 @@ TEST(Detours, IntoABayBetweenTheArmsOfAnObstacle) {
 /// Out of the way and on the side of passing only.
 TEST(Detours, ThatNameAnObstacleTheyTurnTowards) {
   Plan plan = poles_plan();
-  const Ring pole = rectangle(49.75, 22.25, 50.25, 22.75);
+  const Ring pole = box(49.75, 22.25, 50.25, 22.75);
   plan.field.obstacles[1].shape.outer = pole;
   plan.body[0].holes[1] = plan.subfields[0].shape.holes[1] = reversed(pole);
   plan.pieces[7].detours = {bulge(plan.pieces[7], 50, away_from_pole(6, 1.5, 0), 6, Passing::kRight, {1})};
@@ -388,7 +388,7 @@ TEST(Detours, WhoseEncountersAreDeleted) {
 /// One detour past two poles that lie in its way: both are named where they are met.
 TEST(Detours, WhoseEncountersLeaveOutAnObstacle) {
   Plan plan = poles_plan();
-  const Ring second = rectangle(50.75, 13.25, 51, 13.75);
+  const Ring second = box(50.75, 13.25, 51, 13.75);
   plan.field.obstacles.push_back({{second, {}}, ObstacleKind::kObstacle, "second pole"});
   plan.body[0].holes.push_back(reversed(second));
   plan.subfields[0].shape = plan.body[0];
@@ -525,7 +525,7 @@ TEST(Detours, Unsound) {
 /// 40 tracks, 120 poles and as many detours.
 TEST(Detours, ByTheHundredAreJudged) {
   Plan plan;
-  plan.field.outer = rectangle(0, 0, 180, 120);
+  plan.field.outer = box(0, 0, 180, 120);
   plan.machine.width_m = 3;
   plan.body = {{plan.field.outer, {}}};
   const double away = away_from_pole(6, 1.5, 0);
@@ -534,7 +534,7 @@ TEST(Detours, ByTheHundredAreJudged) {
     TrackPiece piece{{0, y}, {180, y}, 0, i};
     for (int k = 0; k < 3; ++k) {
       const double x = 30 + 60 * k + (i % 2) * 20;
-      const Ring pole = rectangle(x - kPoleHalf_m, y - kPoleHalf_m, x + kPoleHalf_m, y + kPoleHalf_m);
+      const Ring pole = box(x - kPoleHalf_m, y - kPoleHalf_m, x + kPoleHalf_m, y + kPoleHalf_m);
       const std::size_t number = plan.field.obstacles.size();
       plan.field.obstacles.push_back({{pole, {}}, ObstacleKind::kObstacle, "pole"});
       plan.body[0].holes.push_back(reversed(pole));

@@ -233,8 +233,8 @@ TEST(Headlands, PassThatTouchesItself) {
 Plan corner_plan(const Path& path, bool around_field) {
   Plan plan;
   plan.field.id = "corner";
-  plan.field.outer = rectangle(0, 0, 100, 60);
-  plan.field.obstacles = {{{rectangle(2, 2, 10, 7), {}}, ObstacleKind::kObstacle, "copse"}};
+  plan.field.outer = box(0, 0, 100, 60);
+  plan.field.obstacles = {{{box(2, 2, 10, 7), {}}, ObstacleKind::kObstacle, "copse"}};
   plan.machine.width_m = 3;
   plan.machine.radius_m = kCorner_m;
   plan.settings.obstacle_headlands = 1;
@@ -354,7 +354,7 @@ TEST(Headlands, FalseFigures) {
     EXPECT_EQ(with([](Headland& h) { h.worked_m2 = std::numeric_limits<double>::quiet_NaN(); }),
               Names{"tally"});
     EXPECT_EQ(with([](Headland& h) { h.unworked.clear(); }), Names{"tally"});
-    EXPECT_EQ(with([](Headland& h) { h.unworked.push_back({rectangle(90, 1, 91, 2), {}}); }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.unworked.push_back({box(90, 1, 91, 2), {}}); }), Names{"tally"});
     EXPECT_EQ(with([](Headland& h) { h.passes.pop_back(); }), Names{"tally"});
   }
   // What lies on the ditch is not worked.
@@ -372,7 +372,7 @@ TEST(Headlands, BodyOrHeadlandInTheWrongPlace) {
     plan.headland.ground = {{plan.field.outer, {reversed(ground_from)}}};
     return found(settled(plan));
   };
-  const Ring right = rectangle(6, 6, 94, 54), larger = rectangle(6, 6, 94, 54.05);
+  const Ring right = box(6, 6, 94, 54), larger = box(6, 6, 94, 54.05);
   EXPECT_EQ(with_body(right, right), Names{});
   EXPECT_EQ(with_body(larger, right), Names{"body"});
   EXPECT_EQ(with_body(right, larger), Names{"body"});
@@ -382,11 +382,11 @@ TEST(Headlands, BodyOrHeadlandInTheWrongPlace) {
   plan.headland.ground[0].holes[0] = shifted(plan.headland.ground[0].holes[0], {0.05, 0});
   EXPECT_EQ(found(settled(plan)), Names{"body"});
   plan = headland_plan(2);
-  plan.headland.ground = {{rectangle(0, 0, 100, 6), {}}};
+  plan.headland.ground = {{box(0, 0, 100, 6), {}}};
   EXPECT_EQ(found(settled(plan)), (Names{"body", "headland"})) << "most of the passes is not on it";
   // With the corners of a buffer that is not round.
   plan = island_plan();
-  const Ring square = rectangle(37, 24, 63, 36);
+  const Ring square = box(37, 24, 63, 36);
   plan.body[0].holes = {reversed(square)};
   plan.subfields[0].shape = plan.body[0];
   plan.headland.ground[0].outer = square;
@@ -409,13 +409,13 @@ TEST(Headlands, GroundLeftToTracks) {
   };
   const Ring behind_one{{3, 5}, {5, 3}, {95, 3}, {97, 5}, {97, 55}, {95, 57}, {5, 57}, {3, 55}};
   EXPECT_EQ(with_body(behind_one), "");
-  EXPECT_NE(with_body(rectangle(9, 9, 91, 51)), "") << "there is room for tracks";
-  EXPECT_NE(with_body(rectangle(2.5, 3, 97, 57)), "") << "the pass works that";
+  EXPECT_NE(with_body(box(9, 9, 91, 51)), "") << "there is room for tracks";
+  EXPECT_NE(with_body(box(2.5, 3, 97, 57)), "") << "the pass works that";
 }
 
 TEST(Headlands, HeadlandWhereNoneWasAskedFor) {
   Plan plan = rectangle_plan();
-  plan.headland.ground = {{rectangle(0, 0, 100, 3), {}}};
+  plan.headland.ground = {{box(0, 0, 100, 3), {}}};
   EXPECT_EQ(found(settled(plan)), Names{"body"});
 }
 

@@ -33,8 +33,8 @@ std::map<std::vector<std::size_t>, double> areas_of(const OverlayEdges& overlay)
 
 TEST(OverlayCells, SquaresThatShareACornerOfThemselves) {
   OverlayEdges overlay;
-  overlay.add(Polygon{testing_plans::rectangle(0, 0, 10, 10), {}}, 0);
-  overlay.add(Polygon{testing_plans::rectangle(6, 7, 16, 17), {testing_plans::rectangle(7, 8, 8, 9)}}, 1);
+  overlay.add(Polygon{testing_plans::box(0, 0, 10, 10), {}}, 0);
+  overlay.add(Polygon{testing_plans::box(6, 7, 16, 17), {testing_plans::box(7, 8, 8, 9)}}, 1);
   auto areas = areas_of(overlay);
   EXPECT_DOUBLE_EQ((areas[{0}]), 100 - 11);
   EXPECT_DOUBLE_EQ((areas[{0, 1}]), 4 * 3 - 1);
@@ -43,7 +43,7 @@ TEST(OverlayCells, SquaresThatShareACornerOfThemselves) {
 
 TEST(OverlayCells, AShapeThatLiesOverItselfCountsTwiceThere) {
   OverlayEdges overlay;
-  overlay.add(Region{{testing_plans::rectangle(0, 0, 4, 4), {}}, {{{2, 2}, {2, 6}, {6, 6}, {6, 2}}, {}}}, 5);
+  overlay.add(Region{{testing_plans::box(0, 0, 4, 4), {}}, {{{2, 2}, {2, 6}, {6, 6}, {6, 2}}, {}}}, 5);
   double once_m2 = 0, twice_m2 = 0;
   check::each_cell(overlay, [&](const OverlayCell& cell) {
     ASSERT_EQ(cell.covers.size(), 1u);

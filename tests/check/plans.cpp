@@ -27,7 +27,7 @@ void add_piece(Plan& plan, int track, double y, double from_x, double to_x, std:
 Plan bare_rectangle() {
   Plan plan;
   plan.field.id = "rectangle";
-  plan.field.outer = rectangle(0, 0, 100, 30);
+  plan.field.outer = box(0, 0, 100, 30);
   plan.machine.width_m = 3;
   plan.body = {{plan.field.outer, {}}};
   plan.subfields = {{plan.body[0], kEast}};
@@ -64,10 +64,6 @@ Path arc_about_origin(double radius_m, double from_deg, double to_deg) {
 }
 
 }  // namespace
-
-Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
 
 Plan settled(Plan plan) {
   Region worked, parts;
@@ -129,8 +125,8 @@ Plan triangle_plan(EndRule rule, double f) {
 
 Plan obstacle_plan() {
   Plan plan = bare_rectangle();
-  plan.field.obstacles = {{{rectangle(40, 11, 60, 13), {}}, ObstacleKind::kObstacle, "pylon"}};
-  plan.body[0].holes = {reversed(rectangle(40, 11, 60, 13))};
+  plan.field.obstacles = {{{box(40, 11, 60, 13), {}}, ObstacleKind::kObstacle, "pylon"}};
+  plan.body[0].holes = {reversed(box(40, 11, 60, 13))};
   plan.subfields[0].shape = plan.body[0];
   for (int i = 0; i < 10; ++i) {
     const double y = 3 * i + 1.5;
@@ -171,8 +167,8 @@ Plan two_subfields_plan() {
 
 Plan crossing_plan() {
   Plan plan = bare_rectangle();
-  plan.field.obstacles = {{{rectangle(40, 0, 43, 30), {}}, ObstacleKind::kPassable, "ditch"}};
-  plan.body = {{rectangle(0, 0, 40, 30), {}}, {rectangle(43, 0, 100, 30), {}}};
+  plan.field.obstacles = {{{box(40, 0, 43, 30), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.body = {{box(0, 0, 40, 30), {}}, {box(43, 0, 100, 30), {}}};
   for (int i = 0; i < 10; ++i) {
     const double y = 3 * i + 1.5;
     add_piece(plan, i, y, i % 2 == 0 ? 0 : 43, i % 2 == 0 ? 40 : 100);
@@ -213,7 +209,7 @@ Plan poles_plan(double clearance_m) {
   plan.settings.clearance_m = clearance_m;
   for (const Point pole : {Point{50, 13.5}, Point{30, 22.5}}) {
     const Ring ring =
-        rectangle(pole.x - kPoleHalf_m, pole.y - kPoleHalf_m, pole.x + kPoleHalf_m, pole.y + kPoleHalf_m);
+        box(pole.x - kPoleHalf_m, pole.y - kPoleHalf_m, pole.x + kPoleHalf_m, pole.y + kPoleHalf_m);
     plan.field.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "pole"});
     plan.body[0].holes.push_back(reversed(ring));
   }
@@ -272,12 +268,12 @@ Path rounded_rectangle(double min_x, double min_y, double max_x, double max_y, d
 Plan headland_plan(int passes) {
   Plan plan;
   plan.field.id = "headland";
-  plan.field.outer = rectangle(0, 0, 100, 60);
+  plan.field.outer = box(0, 0, 100, 60);
   plan.machine.width_m = 3;
   plan.machine.radius_m = kCorner_m;
   plan.settings.headlands = passes;
   const double deep = 3.0 * passes;
-  const Ring inner = rectangle(deep, deep, 100 - deep, 60 - deep);
+  const Ring inner = box(deep, deep, 100 - deep, 60 - deep);
   plan.body = {{inner, {}}};
   plan.headland.ground = {{plan.field.outer, {reversed(inner)}}};
   plan.subfields = {{plan.body[0], kEast}};
@@ -292,8 +288,8 @@ Plan headland_plan(int passes) {
 
 Plan headland_and_ditch_plan() {
   Plan plan = headland_plan(2);
-  plan.field.obstacles = {{{rectangle(40, 0, 43, 60), {}}, ObstacleKind::kPassable, "ditch"}};
-  plan.body = {{rectangle(6, 6, 40, 54), {}}, {rectangle(43, 6, 94, 54), {}}};
+  plan.field.obstacles = {{{box(40, 0, 43, 60), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.body = {{box(6, 6, 40, 54), {}}, {box(43, 6, 94, 54), {}}};
   plan.headland.ground = difference(plan.headland.ground, {plan.field.obstacles[0].shape});
   plan.pieces.clear();
   for (int i = 0; i < 16; ++i) {
@@ -310,8 +306,8 @@ double wide_corner_m() { return kCorner_m - (kCorner_m - 1.5) / std::numbers::sq
 Plan island_plan() {
   Plan plan;
   plan.field.id = "island";
-  plan.field.outer = rectangle(0, 0, 100, 60);
-  plan.field.obstacles = {{{rectangle(40, 27, 60, 33), {}}, ObstacleKind::kObstacle, "copse"}};
+  plan.field.outer = box(0, 0, 100, 60);
+  plan.field.obstacles = {{{box(40, 27, 60, 33), {}}, ObstacleKind::kObstacle, "copse"}};
   plan.machine.width_m = 3;
   plan.machine.radius_m = kCorner_m;
   plan.settings.obstacle_headlands = 1;

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "support/box_ring.h"
 #include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::testing_plans {
 
-Ring rectangle(double min_x, double min_y, double max_x, double max_y);
+using testing_support::box;
 
 /// Tallies, cost and layers made to agree with the tracks and passes, so that a fault made on purpose is the
 /// only one. Precondition: shapes and pieces are sound.

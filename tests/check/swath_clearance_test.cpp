@@ -26,18 +26,17 @@ double gap(const SwathClearance& swath, const Ring& land, double reach_m = 10) {
 
 TEST(SwathClearance, Straight) {
   const SwathClearance swath(kEast, straight_path({20, 0}, {40, 0}), 1.5);
-  EXPECT_NEAR(gap(swath, rectangle(25, 2, 30, 3)), 0.5, 1e-12);
-  EXPECT_NEAR(gap(swath, rectangle(25, 1, 30, 3)), -0.5, 1e-12);
-  EXPECT_NEAR(gap(swath, rectangle(25, -0.1, 25.1, 0.1)), -1.5, 1e-12);
+  EXPECT_NEAR(gap(swath, box(25, 2, 30, 3)), 0.5, 1e-12);
+  EXPECT_NEAR(gap(swath, box(25, 1, 30, 3)), -0.5, 1e-12);
+  EXPECT_NEAR(gap(swath, box(25, -0.1, 25.1, 0.1)), -1.5, 1e-12);
   // Beyond the flat ends, straight ahead and past the corner.
-  EXPECT_NEAR(gap(swath, rectangle(40.7, -1, 50, 1)), 0.7, 1e-12);
-  EXPECT_NEAR(gap(swath, rectangle(40.3, 1.9, 50, 3)), 0.5, 1e-12);
-  EXPECT_GT(gap(swath, rectangle(40.1, -1, 50, 1), 0), 0);
+  EXPECT_NEAR(gap(swath, box(40.7, -1, 50, 1)), 0.7, 1e-12);
+  EXPECT_NEAR(gap(swath, box(40.3, 1.9, 50, 3)), 0.5, 1e-12);
+  EXPECT_GT(gap(swath, box(40.1, -1, 50, 1), 0), 0);
   // All round, and in the middle of a ring of land.
-  EXPECT_LE(gap(swath, rectangle(-50, -50, 150, 50)), -1.5);
-  EXPECT_NEAR(swath.to_land({rectangle(-50, -50, 150, 50), {rectangle(10, -5, 90, 5)}}, 10).gap_m, 3.5,
-              1e-12);
-  EXPECT_GT(gap(swath, rectangle(25, 50, 30, 60)), 10);
+  EXPECT_LE(gap(swath, box(-50, -50, 150, 50)), -1.5);
+  EXPECT_NEAR(swath.to_land({box(-50, -50, 150, 50), {box(10, -5, 90, 5)}}, 10).gap_m, 3.5, 1e-12);
+  EXPECT_GT(gap(swath, box(25, 50, 30, 60)), 10);
 }
 
 /// Random poles beside a bulge: the band's own distance by GEOS, less what its chords take.
@@ -69,7 +68,7 @@ TEST(SwathClearance, GapsAreTheDistancesOfTheBand) {
 }
 
 TEST(SwathClearance, PlacesOutsideARing) {
-  const Ring field = rectangle(0, -2, 100, 2);
+  const Ring field = box(0, -2, 100, 2);
   EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 0}, {100, 0}), 1).point_outside(field));
   EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2}, {100, 2}), 1).point_outside(field));
   EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2.0009}, {100, 2.0009}), 1).point_outside(field));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/box_ring.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/tracks/strip_origin.h"
 
@@ -14,7 +15,7 @@ constexpr double kTolerance_m2 = 1e-3;
 const Direction kNorth = Direction::clockwise_from_north(Angle::degrees(0));
 const Direction kEast = Direction::clockwise_from_north(Angle::degrees(90));
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using testing_support::box;
 
 /// Ground with all tracks cut; strips lie from the first of the longest edges.
 struct Laid {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "headland/headland_faults.h"
+#include "support/box_ring.h"
 #include "tramline/headland/headland.h"
 
 namespace tramline::testing {
@@ -20,9 +21,7 @@ inline constexpr double kLength = 1e-5;  // m: passes come 1e-7 m nearer to boun
 inline constexpr double kArea = 2e-3;    // m²
 inline constexpr double kChords = 0.03;  // m²: chords of the body
 
-inline Ring box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using testing_support::box;
 
 inline Field field_of(Ring outer, const std::vector<Ring>& obstacles = {}) {
   Field field;

@@ -7,6 +7,7 @@
 #include "properties/draws.h"
 #include "properties/seeds.h"
 #include "route/rounded_rectangle.h"
+#include "support/box_ring.h"
 #include "tramline/geometry/path/band_on_circles.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -15,9 +16,7 @@ namespace {
 
 using testing::for_each_seed;
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 HeadlandPass random_ring(std::mt19937_64& random) {
   HeadlandPass out =

@@ -17,6 +17,7 @@
 
 #include "planner/prepared.h"
 #include "properties/seeds.h"
+#include "support/box_ring.h"
 #include "support/hops.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/route/order/best_tour.h"
@@ -43,9 +44,7 @@ Field field_of(Ring outer, const std::vector<Ring>& ponds = {}) {
   return out;
 }
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 /// A piece from west to east on track k, whose middle is at y = (k + ½)·w.
 WorkedLine piece(int track, double from_x, double to_x, std::size_t subfield = 0) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/prepared.h"
+#include "support/box_ring.h"
 #include "support/refusals.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -18,7 +19,7 @@
 
 namespace tramline::metric_map_test {
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using testing_support::box;
 
 Field field_of(Ring outer, const std::vector<Ring>& obstacles = {}) {
   Field field;

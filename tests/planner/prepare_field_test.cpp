@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/box_ring.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/candidate/search_task.h"
 #include "tramline/planner/plan_field.h"
@@ -12,9 +13,7 @@
 
 namespace tramline::prepare_field_test {
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 /// 300 × 200 m with a square in it, `size_m` wide.
 Field field_with_square(double size_m) {

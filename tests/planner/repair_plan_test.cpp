@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/box_ring.h"
 #include "support/refusals.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -19,9 +20,7 @@ using testing_support::refusal_of;
 
 constexpr double kWidth_m = 6;
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 Field square() {
   Field field;

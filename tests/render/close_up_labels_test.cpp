@@ -27,7 +27,7 @@ Region in_field(const Box& px) {
   const auto y = [](double page_y) {
     return kView.centre_m.y - (page_y - kView.centre_px.y) / kView.px_per_m;
   };
-  return {{rectangle(x(px.min_x), y(px.max_y), x(px.max_x), y(px.min_y)), {}}};
+  return {{box(x(px.min_x), y(px.max_y), x(px.max_x), y(px.min_y)), {}}};
 }
 
 double hidden_m2(const Plan& plan, const Box& label) {
@@ -89,8 +89,8 @@ TEST(ObstacleNumbers, HideNoPole) {
   Region poles;
   for (int i = 0; i < 40; ++i) {
     const double x = 30 + 7 * (i % 8), y = 10 + 8 * (i / 8);
-    poles.push_back({rectangle(x, y, x + 0.3, y + 0.3), {}});
-    poles.push_back({rectangle(x + 0.9, y + 0.9, x + 1.2, y + 1.2), {}});
+    poles.push_back({box(x, y, x + 0.3, y + 0.3), {}});
+    poles.push_back({box(x + 0.9, y + 0.9, x + 1.2, y + 1.2), {}});
   }
   const Plan plan = with_obstacles(poles);
   const std::vector<Box> numbers = obstacle_numbers(plan);
@@ -115,7 +115,7 @@ Plan poles_under(Plan plan, const std::vector<Box>& labels) {
   for (const Box& label : labels) {
     const Point p = in_field(label).front().outer.front() + Point{0.5, 0.5};
     plan.field.obstacles.push_back(
-        {{rectangle(p.x, p.y, p.x + 0.3, p.y + 0.3), {}}, ObstacleKind::kObstacle, "pole"});
+        {{box(p.x, p.y, p.x + 0.3, p.y + 0.3), {}}, ObstacleKind::kObstacle, "pole"});
   }
   return plan;
 }

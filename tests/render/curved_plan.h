@@ -43,14 +43,14 @@ inline TrackPiece curved_piece(const Path& path, int track) {
 inline Plan curved_plan() {
   Plan plan;
   plan.field.id = "bend";
-  plan.field.outer = rectangle(0, 0, 320, 200);
-  const Ring pond = rectangle(80, 84, 92, 94), round_pond = rectangle(74, 78, 98, 100);
+  plan.field.outer = box(0, 0, 320, 200);
+  const Ring pond = box(80, 84, 92, 94), round_pond = box(74, 78, 98, 100);
   plan.field.obstacles.push_back({{pond, {}}, ObstacleKind::kObstacle, "hole 1"});
   plan.machine.width_m = 6;
   plan.settings.headlands = 2;
   plan.settings.obstacle_headlands = 1;
   plan.settings.shape = TrackShape::kCurved;
-  const Ring inner = rectangle(12, 12, 308, 188);
+  const Ring inner = box(12, 12, 308, 188);
   plan.body = {{inner, {reversed(round_pond)}}};
   Headland& headland = plan.headland;
   headland.passes = {{round_box(3, 3, 317, 197, 6), 1, true, {}},

@@ -58,12 +58,12 @@ inline void count_faults(Plan& plan) {
 inline Plan detour_plan() {
   Plan plan;
   plan.field.id = "two detours";
-  plan.field.outer = rectangle(0, 0, 120, 60);
-  const Ring tree = rectangle(58, 29, 62, 34), barn = rectangle(90, 43, 100, 52);
+  plan.field.outer = box(0, 0, 120, 60);
+  const Ring tree = box(58, 29, 62, 34), barn = box(90, 43, 100, 52);
   plan.field.obstacles.push_back({{tree, {}}, ObstacleKind::kObstacle, "hole 1"});
   plan.field.obstacles.push_back({{barn, {}}, ObstacleKind::kObstacle, "hole 2"});
   plan.field.obstacles.push_back(
-      {{rectangle(0, 59.5, 3, 60), {}}, ObstacleKind::kPassable, "strips.geojson feature 1"});
+      {{box(0, 59.5, 3, 60), {}}, ObstacleKind::kPassable, "strips.geojson feature 1"});
   plan.machine.width_m = 6;
   plan.body = {{plan.field.outer, {reversed(tree), reversed(barn)}}};
   plan.subfields.push_back({plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))});

@@ -77,7 +77,7 @@ TEST(DrawPlan, ObstacleIsDark) {
 TEST(DrawPlan, SliverThinnerThanAPixelIsSeen) {
   const Folder folder;
   Plan plan = sample_plan();
-  plan.uncovered = {{rectangle(80, 0, 80.005, 60), {}}};
+  plan.uncovered = {{box(80, 0, 80.005, 60), {}}};
   draw_plan(plan, folder / "plan.png");
   const Pixels pixels(folder / "plan.png");
   const Point middle = layout_of(plan).view.to_page({80.0025, 47});
@@ -94,7 +94,7 @@ TEST(DrawPlan, RoundingBetweenSwathsIsNotDrawn) {
   const Folder folder;
   const Plan clean = sample_plan();
   Plan plan = clean;
-  plan.uncovered.push_back({rectangle(80, 0, 80 + 2e-6, 60), {}});
+  plan.uncovered.push_back({box(80, 0, 80 + 2e-6, 60), {}});
   draw_plan(clean, folder / "clean.png");
   draw_plan(plan, folder / "plan.png");
   EXPECT_EQ(bytes_of(folder / "plan.png"), bytes_of(folder / "clean.png"));
@@ -159,7 +159,7 @@ TEST(DrawPlan, DrawsPlansOfAllSizes) {
   const Folder folder;
   for (const double factor : {0.05, 0.2, 1.0, 24.0}) {
     Plan plan = sample_plan();
-    plan.field.outer = rectangle(0, 0, 100 * factor, 60 * factor);
+    plan.field.outer = box(0, 0, 100 * factor, 60 * factor);
     plan.body = {{plan.field.outer, {}}};
     plan.pieces.clear();
     plan.overlap.clear();

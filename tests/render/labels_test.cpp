@@ -53,7 +53,7 @@ TEST(Badges, StandInsideTheirSubfield) {
   // A U: the middle of its box is outside it.
   const Ring u{{0, 0}, {60, 0}, {60, 60}, {50, 60}, {50, 10}, {10, 10}, {10, 60}, {0, 60}};
   plan.subfields = {{{u, {}}, Direction::clockwise_from_north(Angle::degrees(0))},
-                    {{rectangle(70, 0, 70.5, 40), {}}, Direction::clockwise_from_north(Angle::degrees(0))}};
+                    {{box(70, 0, 70.5, 40), {}}, Direction::clockwise_from_north(Angle::degrees(0))}};
   const MapView view{{0, 0}, {0, 0}, 8};
   const auto badges = place_badges(plan, view, 1);
   ASSERT_EQ(badges.size(), 1u) << "half a metre at 8 px/m has no room for a number";

@@ -86,8 +86,8 @@ TEST(ScaleBar, HasARoundLength) {
 }
 
 TEST(VisibleFaults, LeavesOutWhatIsThinnerThanAMillimetre) {
-  EXPECT_TRUE(visible_faults({{rectangle(0, 0, 100, 5e-6), {}}}).empty());
-  EXPECT_EQ(visible_faults({{rectangle(0, 0, 100, 0.01), {}}}).size(), 1u);
+  EXPECT_TRUE(visible_faults({{box(0, 0, 100, 5e-6), {}}}).empty());
+  EXPECT_EQ(visible_faults({{box(0, 0, 100, 0.01), {}}}).size(), 1u);
   // A real fault of 2 m × 1 m with a tail of 90 m that rounding left.
   const Ring with_tail{{0, 0}, {2, 0}, {2, 0.5}, {92, 0.5}, {92, 0.500002}, {2, 0.500002}, {2, 1}, {0, 1}};
   const Region shown = visible_faults({{with_tail, {}}});

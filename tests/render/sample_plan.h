@@ -11,22 +11,21 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/box_ring.h"
 #include "support/temporary_folder.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::render {
 
-inline Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 /// 100 m × 60 m, w = 10 m, one obstacle [40, 50] × [20, 30]; tracks run north; overlap is
 /// [60, 64] × [0, 60], uncovered [90, 96] × [0, 60].
 inline Plan sample_plan() {
   Plan plan;
   plan.field.id = "sample";
-  plan.field.outer = rectangle(0, 0, 100, 60);
-  Ring hole = rectangle(40, 20, 50, 30);
+  plan.field.outer = box(0, 0, 100, 60);
+  Ring hole = box(40, 20, 50, 30);
   plan.field.obstacles.push_back({{hole, {}}, ObstacleKind::kObstacle, "hole 1"});
   plan.machine.width_m = 10;
   plan.body = {{plan.field.outer, {reversed(hole)}}};
@@ -42,8 +41,8 @@ inline Plan sample_plan() {
       plan.pieces.push_back({{x, 60}, {x, 0}, 0, track});
     }
   }
-  plan.overlap = {{rectangle(60, 0, 64, 60), {}}};
-  plan.uncovered = {{rectangle(90, 0, 96, 60), {}}};
+  plan.overlap = {{box(60, 0, 64, 60), {}}};
+  plan.uncovered = {{box(90, 0, 96, 60), {}}};
   plan.tally = {5300, 240, 360, 530, 10, 0, 9, 2};
   plan.cost = 59.65;
   return plan;

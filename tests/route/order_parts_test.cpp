@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "properties/seeds.h"
+#include "support/box_ring.h"
 #include "tramline/route/order/blocks.h"
 #include "tramline/route/order/hop_ground.h"
 #include "tramline/route/order/point_grid.h"
@@ -15,9 +16,7 @@
 namespace tramline::order {
 namespace {
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 /// 100 m square with a pond of 10 m square in its middle.
 Field with_pond(ObstacleKind kind = ObstacleKind::kObstacle) {

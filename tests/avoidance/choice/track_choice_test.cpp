@@ -16,15 +16,15 @@
 
 namespace tramline::track_choice_test {
 
-using testing_poles::rectangle;
+using testing_support::box;
 
 constexpr double kSwath = 3;
 
 /// One strip of 3 m from y = 0 to y = 300, blocked at full width between these coordinates.
 Track blocked_strip(const Intervals& gaps) {
-  Polygon land{rectangle(0, 0, kSwath, 300), {}};
+  Polygon land{box(0, 0, kSwath, 300), {}};
   Region hard;
-  for (const Interval& gap : gaps) hard.push_back({rectangle(-1, gap.from, kSwath + 1, gap.to), {}});
+  for (const Interval& gap : gaps) hard.push_back({box(-1, gap.from, kSwath + 1, gap.to), {}});
   return straight_tracks({TrackFrame(), 0, kSwath}, land, {hard, {}, {}}, {false, kSwath - kWidthTolerance})
       .tracks.front();
 }

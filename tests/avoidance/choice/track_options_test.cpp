@@ -14,7 +14,7 @@
 namespace tramline::track_options_test {
 
 using testing_poles::PoleField;
-using testing_poles::rectangle;
+using testing_support::box;
 using testing_poles::regular;
 
 TrackOption named(std::size_t found, std::size_t first_gap, Construction by) {
@@ -92,7 +92,7 @@ TEST(TrackOptions, HardGapsAreThoseThatHardLandMakes) {
 class ValuedOptions : public ::testing::Test {
  protected:
   ValuedOptions()
-      : field_(rectangle(0, 0, 21, 160), {regular(16, 1, {10.4, 80})}, testing_poles::machine(3, 6), {}),
+      : field_(box(0, 0, 21, 160), {regular(16, 1, {10.4, 80})}, testing_poles::machine(3, 6), {}),
         ground_(field_.task().families) {
     for (const Ring& ring : rings_of(field_.ground().body)) body_.push_back(ring);
     blocked_.place = 3;
@@ -105,7 +105,7 @@ class ValuedOptions : public ::testing::Test {
     Region out;
     const double left = field_.family().grid.line(static_cast<int>(strip));
     for (const Interval& one : field_.family().tracks[strip].stretches)
-      out.push_back({rectangle(left, one.from, left + 3, one.to), {}});
+      out.push_back({box(left, one.from, left + 3, one.to), {}});
     return out;
   }
   void drive(std::size_t strip) { ground_.set(0, strip, {field_.family().tracks[strip].stretches, {}}); }

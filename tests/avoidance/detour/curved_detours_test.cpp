@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "support/box_ring.h"
 #include "tramline/avoidance/choose_detours.h"
 #include "tramline/avoidance/detour/curved_detour_path.h"
 #include "tramline/avoidance/detour/way_round.h"
@@ -20,7 +21,7 @@ namespace tramline::curved_detours_test {
 
 constexpr double kPi = std::numbers::pi;
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using testing_support::box;
 
 Ring regular(int corners, double radius, Point centre) {
   Ring out;

@@ -7,14 +7,13 @@
 
 #include <cmath>
 
+#include "support/box_ring.h"
 #include "tramline/avoidance/detour/detour_frame.h"
 #include "tramline/avoidance/detour/detour_path.h"
 
 namespace tramline::goes_round_test {
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 TrackDetour detour(Passing side) {
   TrackDetour out;

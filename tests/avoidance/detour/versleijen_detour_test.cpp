@@ -16,7 +16,7 @@ namespace tramline::versleijen_detour_test {
 using namespace testing_poles;
 
 /// Thirteen strips of 160 m.
-Ring wide_field(double width_m) { return rectangle(0, 0, 13 * width_m, 160); }
+Ring wide_field(double width_m) { return box(0, 0, 13 * width_m, 160); }
 
 /// The way past the only gap of one strip of that field.
 WayRound way_in_strip(std::size_t strip, double width_m, double radius_m, const std::vector<Ring>& poles,
@@ -207,7 +207,7 @@ TEST(VersleijenDetour, IsOnTheLeftWhereBothSidesAreEqual) {
 // Fig. 19, along the buffer of w/2. A box from 0.3 m left to 0.7 m right of the track, 4 m long: the path
 // is 1.5 + 0.3 m off between its corners' arcs of 1.5 m, and with r = w/2 the ends lie √(3² − 1.2²) beyond.
 TEST(VersleijenDetour, RoundABoxFollowsItsBuffer) {
-  const WayRound way = way_in_field(3, 1, {rectangle(19.2, 78, 20.2, 82)}, below(3));
+  const WayRound way = way_in_field(3, 1, {box(19.2, 78, 20.2, 82)}, below(3));
   ASSERT_TRUE(way.possible()) << sentence(way.why_not);
   EXPECT_EQ(way.detour.side, Passing::kLeft);
   const double beyond = std::sqrt(9 - 1.2 * 1.2);
@@ -220,16 +220,16 @@ TEST(VersleijenDetour, RoundABoxFollowsItsBuffer) {
 // Corners of w/2 are too tight for a machine that turns on more (§4.2.2): drawn as printed, refused where the
 // detour is to be driven.
 TEST(VersleijenDetour, IsTighterThanTheMachineTurnsUnlessItIsToBeDriven) {
-  const std::vector<Ring> box{rectangle(19.2, 78, 20.2, 82)};
-  EXPECT_EQ(way_in_field(3, 1.6, box, drivable_below(3)).why_not, Refusal::kTooTight);
-  const WayRound printed = way_in_field(3, 1.6, box, below(3));
+  const std::vector<Ring> post{box(19.2, 78, 20.2, 82)};
+  EXPECT_EQ(way_in_field(3, 1.6, post, drivable_below(3)).why_not, Refusal::kTooTight);
+  const WayRound printed = way_in_field(3, 1.6, post, below(3));
   ASSERT_TRUE(printed.possible());
   EXPECT_NEAR(smallest_radius(printed.detour.path), 1.5, 1e-9);
 }
 
 // (a) The extent across has to be below the threshold, not equal to it.
 TEST(VersleijenDetour, IsRefusedFromTheThresholdOn) {
-  const std::vector<Ring> two_wide{rectangle(18.5, 79, 20.5, 81)};
+  const std::vector<Ring> two_wide{box(18.5, 79, 20.5, 81)};
   EXPECT_EQ(way_in_field(3, 1, two_wide, below(2)).why_not, Refusal::kTooWide);
   EXPECT_EQ(way_in_field(3, 1, two_wide, below(1)).why_not, Refusal::kTooWide);
   EXPECT_TRUE(way_in_field(3, 1, two_wide, below(2.001)).possible());
@@ -258,8 +258,8 @@ TEST(VersleijenDetour, IsRefusedUnlessThereIsOneObstacle) {
     out.hazards.push_back({ring, bounds(ring), {}});
     return out;
   };
-  EXPECT_TRUE(versleijen_detour(obstruction, below(3), with(rectangle(25, 79, 26, 81))).possible());
-  const WayRound two = versleijen_detour(obstruction, below(3), with(rectangle(18.2, 79.8, 18.3, 80.2)));
+  EXPECT_TRUE(versleijen_detour(obstruction, below(3), with(box(25, 79, 26, 81))).possible());
+  const WayRound two = versleijen_detour(obstruction, below(3), with(box(18.2, 79.8, 18.3, 80.2)));
   EXPECT_EQ(two.why_not, Refusal::kSeveralObstacles);
   EXPECT_EQ(two.hazards, (std::vector<std::size_t>{0, 1}));
   around.hazards.clear();
@@ -300,7 +300,7 @@ TEST(VersleijenDetour, IsRefusedWhereItLeavesTheField) {
 
 // Passable land 2.5 m beside the track would be worked on the way.
 TEST(VersleijenDetour, IsRefusedWhereItEntersPassableLand) {
-  const Ring ditch = rectangle(22, 70, 22.5, 90);
+  const Ring ditch = box(22, 70, 22.5, 90);
   EXPECT_EQ(way_in_field(3, 6, {regular(16, 1, {19.2, 80})}, below(3), {ditch}).why_not,
             Refusal::kEntersPassable);
   EXPECT_TRUE(way_in_field(3, 6, {regular(16, 1, {19.8, 80})}, below(3), {ditch}).possible())

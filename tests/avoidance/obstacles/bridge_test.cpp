@@ -12,7 +12,7 @@
 
 namespace tramline::bridge_test {
 
-using testing_poles::rectangle;
+using testing_support::box;
 
 double distance_to_line(Point p, const Ring& ring) {
   double least = 1e9;
@@ -33,26 +33,25 @@ Point nearest_on_line(Point p, const Ring& ring) {
 
 // Two metres between a wall and a shed 3 m long: 2 × 3 m are given up.
 TEST(Bridge, BetweenTwoRectanglesIsARectangle) {
-  const Ring wall = rectangle(0, 0, 10, 10);
-  const Region shed{{rectangle(12, 3.5, 20, 6.5), {}}};
+  const Ring wall = box(0, 0, 10, 10);
+  const Region shed{{box(12, 3.5, 20, 6.5), {}}};
   const Region between = difference(bridge(wall, shed, 3), shed);
   EXPECT_NEAR(area(between), 2 * 3, 1e-4);
-  EXPECT_NEAR(area(intersection(between, {{rectangle(10, 3.5, 12, 6.5), {}}})), 2 * 3, 1e-4);
+  EXPECT_NEAR(area(intersection(between, {{box(10, 3.5, 12, 6.5), {}}})), 2 * 3, 1e-4);
 }
 
 TEST(Bridge, IsNoneWhereTheyAreFarEnoughApart) {
-  const Ring wall = rectangle(0, 0, 10, 10);
-  EXPECT_TRUE(bridge(wall, {{rectangle(13.1, 2, 20, 5), {}}}, 3).empty());
-  EXPECT_TRUE(bridge(wall, {{rectangle(12.5, 12.5, 20, 20), {}}}, 3).empty())
-      << "3.5 m from corner to corner";
-  EXPECT_FALSE(bridge(wall, {{rectangle(12, 12, 20, 20), {}}}, 3).empty()) << "2.8 m";
+  const Ring wall = box(0, 0, 10, 10);
+  EXPECT_TRUE(bridge(wall, {{box(13.1, 2, 20, 5), {}}}, 3).empty());
+  EXPECT_TRUE(bridge(wall, {{box(12.5, 12.5, 20, 20), {}}}, 3).empty()) << "3.5 m from corner to corner";
+  EXPECT_FALSE(bridge(wall, {{box(12, 12, 20, 20), {}}}, 3).empty()) << "2.8 m";
   EXPECT_TRUE(bridge(wall, {}, 3).empty());
 }
 
 // A shed inside, near the field's edge: a ring is a line, whichever side the region lies on. Only the part
 // nearer than the gap counts: 1.01 times it, for round buffers, of a side that runs away at 45°.
 TEST(Bridge, ReachesAsFarAsTheGap) {
-  const Ring edge = rectangle(0, 0, 50, 50);
+  const Ring edge = box(0, 0, 50, 50);
   const Region shed{{{{1, 20}, {21, 20}, {21, 40}}, {}}};
   const Region between = difference(bridge(edge, shed, 4), shed);
   // The side from (1, 20) to (21, 40) is within 4.04 m of the edge x = 0 up to y = 23.04.
@@ -65,9 +64,8 @@ TEST(Bridge, ReachesAsFarAsTheGap) {
 
 // Parts of a region that touch along an edge are joined to the ring one by one.
 TEST(Bridge, HasOneForEachPartOfTheRegion) {
-  const Ring wall = rectangle(0, 0, 10, 10);
-  const Region sheds{
-      {rectangle(12, 0, 14, 4), {}}, {rectangle(12, 4, 14, 10), {}}, {rectangle(-5, 5, -1, 6), {}}};
+  const Ring wall = box(0, 0, 10, 10);
+  const Region sheds{{box(12, 0, 14, 4), {}}, {box(12, 4, 14, 10), {}}, {box(-5, 5, -1, 6), {}}};
   EXPECT_NEAR(area(difference(bridge(wall, sheds, 3), sheds)), 2 * 10 + 1 * 1, 1e-3);
 }
 

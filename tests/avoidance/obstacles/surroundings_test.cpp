@@ -10,13 +10,13 @@
 
 namespace tramline::surroundings_test {
 
-using testing_poles::rectangle;
+using testing_support::box;
 
 constexpr double kWide = 4;
 
 Surroundings in_field(EdgeKind boundary) {
   Surroundings out;
-  out.field = rectangle(0, 0, 40, 100);
+  out.field = box(0, 0, 40, 100);
   out.boundary = boundary;
   return out;
 }
@@ -42,7 +42,7 @@ TEST(Surroundings, TheSwathHasToStayWithinAHardBoundary) {
 
 TEST(Surroundings, TheSwathMayNotEnterPassableLand) {
   Surroundings around = in_field(EdgeKind::kSoft);
-  around.passable = {rectangle(20, 45, 24, 55)};
+  around.passable = {box(20, 45, 24, 55)};
   EXPECT_EQ(fault(upwards(18), around), Refusal::kNone) << "it touches";
   EXPECT_EQ(fault(upwards(18.01), around), Refusal::kEntersPassable);
   EXPECT_EQ(fault(upwards(22), around), Refusal::kEntersPassable);
@@ -56,7 +56,7 @@ TEST(Surroundings, ASwathRunsIntoHazardsAlongItsArc) {
   const SwathLine line(arc, kWide);
   const auto hazard_at = [](Point p) {
     TurnedHazard out;
-    out.outline = rectangle(p.x - 0.1, p.y - 0.1, p.x + 0.1, p.y + 0.1);
+    out.outline = box(p.x - 0.1, p.y - 0.1, p.x + 0.1, p.y + 0.1);
     out.box = bounds(out.outline);
     return out;
   };
@@ -73,7 +73,7 @@ TEST(Surroundings, ASwathRunsIntoHazardsAlongItsArc) {
 
 TEST(Surroundings, ATouchedHazardIsNotRunInto) {
   TurnedHazard post;
-  post.outline = rectangle(12, 40, 13, 41);
+  post.outline = box(12, 40, 13, 41);
   post.box = bounds(post.outline);
   const Path before = upwards(10), into = upwards(10.01);
   EXPECT_FALSE(runs_into(SwathLine(before, kWide), post));
@@ -83,10 +83,10 @@ TEST(Surroundings, ATouchedHazardIsNotRunInto) {
 // Tracks run east: x of the frame is −y of the field, y is x.
 TEST(Surroundings, LieInThePlaneOfTheTracks) {
   ClassifiedGround ground;
-  ground.hazards = {{{rectangle(10, 4, 14, 6), {}}, {0}, Circle{{12, 5}, 2}}};
-  ground.passable = {{rectangle(1, 1, 2, 2), {}}};
+  ground.hazards = {{{box(10, 4, 14, 6), {}}, {0}, Circle{{12, 5}, 2}}};
+  ground.passable = {{box(1, 1, 2, 2), {}}};
   const TrackFrame east(Direction::clockwise_from_north(Angle::degrees(90)));
-  const Surroundings around = turned_surroundings(ground, rectangle(0, 0, 40, 20), EdgeKind::kHard, east);
+  const Surroundings around = turned_surroundings(ground, box(0, 0, 40, 20), EdgeKind::kHard, east);
   ASSERT_EQ(around.hazards.size(), 1u);
   const TurnedHazard& hazard = around.hazards.front();
   EXPECT_NEAR(hazard.box.min_x, -6, 1e-9);

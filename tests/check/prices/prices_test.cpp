@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "support/box_ring.h"
 #include "tramline/check/rules/rules.h"
 
 namespace tramline::check {
@@ -18,21 +19,19 @@ constexpr double kLength_m = 120, kAcross_m = 24, kWidth_m = 6, kCell_m = 20;
 /// Longer than any piece that lies within the land, also where a check looks a metre beyond its ends.
 constexpr double kLongest_m = 128;
 
-Ring rectangle(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using testing_support::box;
 
 Plan proven_plan() {
   Plan plan;
   plan.field.id = "strip";
-  plan.field.outer = rectangle(0, 0, kLength_m, kAcross_m);
+  plan.field.outer = box(0, 0, kLength_m, kAcross_m);
   plan.body = {{plan.field.outer, {}}};
   plan.machine.width_m = kWidth_m;
   plan.machine.radius_m = 6;
   plan.objective = {0.02, 0.1, 1, 5, 5};
   const double price = 1 / (kWidth_m * kLongest_m);
   for (int i = 0; i < 6; ++i)
-    plan.proof.prices.cells.push_back({rectangle(i * kCell_m, 0, (i + 1) * kCell_m, kAcross_m), price});
+    plan.proof.prices.cells.push_back({box(i * kCell_m, 0, (i + 1) * kCell_m, kAcross_m), price});
   plan.proof.prices.bound = price * kLength_m * kAcross_m - 1;
   return plan;
 }
@@ -145,7 +144,7 @@ TEST(Prices, FreeOverlapChangesNothingWithinOneTrack) {
 // by 2h·√(h/(4r − h)) = 9 m at most, r = 6 m: 129 m, and the price is right for no more than 128 m.
 TEST(Prices, DetoursRoundAnObstacleAreCounted) {
   Plan plan = proven_plan();
-  const Ring pole = rectangle(60, 11, 61, 12);
+  const Ring pole = box(60, 11, 61, 12);
   plan.field.obstacles.push_back({{pole, {}}, ObstacleKind::kObstacle, "pole"});
   plan.body = {{plan.field.outer, {{{60, 11}, {60, 12}, {61, 12}, {61, 11}}}}};
   const double price = plan.proof.prices.cells.front().price;

@@ -77,7 +77,7 @@ void add_way(Plan& plan, LegKind kind, const std::vector<std::pair<double, doubl
 Plan route_plan() {
   Plan plan;
   plan.field.id = "route";
-  plan.field.outer = rectangle(0, 0, 200, 48);
+  plan.field.outer = box(0, 0, 200, 48);
   plan.machine.width_m = 12;
   plan.machine.radius_m = 6;
   plan.settings.turns = TurnPlanning::kRoute;

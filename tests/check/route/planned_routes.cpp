@@ -12,10 +12,6 @@
 
 namespace tramline::planned_routes {
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
-
 Field field_of(Ring outer) {
   Field field;
   field.id = "drawn";

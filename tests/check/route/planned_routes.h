@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "support/box_ring.h"
 #include "tramline/model/field.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::planned_routes {
 
-Ring box(double min_x, double min_y, double max_x, double max_y);
+using testing_support::box;
 Field field_of(Ring outer);
 /// An L of 300 m x 260 m.
 Field l_shape();

@@ -89,7 +89,7 @@ Plan crossing_route() {
   plan.route.legs.clear();
   plan.pieces = {{{0, 6}, {98, 6}, 0, 0}, {{102, 6}, {200, 6}, 0, 0}};
   plan.pieces[1].after_crossing = true;
-  plan.field.obstacles = {{{rectangle(98, 0, 102, 48), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.field.obstacles = {{{box(98, 0, 102, 48), {}}, ObstacleKind::kPassable, "ditch"}};
   add_piece_leg(plan, 0);
   add_way(plan, LegKind::kTransit, {{4, 0}});
   add_piece_leg(plan, 1);

@@ -212,8 +212,8 @@ TEST(CheckedRoute, stays_on_the_land) {
 TEST(CheckedRoute, keeps_off_obstacles_where_it_turns) {
   // On a larger field there is a ditch where the machine turns; that other rules find more does not matter.
   Plan plan = route_plan();
-  plan.field.outer = rectangle(-50, -10, 260, 60);
-  plan.field.obstacles = {{{rectangle(210, 10, 214, 14), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.field.outer = box(-50, -10, 260, 60);
+  plan.field.obstacles = {{{box(210, 10, 214, 14), {}}, ObstacleKind::kPassable, "ditch"}};
   const check::Verdict verdict = check::verify(plan);
   EXPECT_TRUE(std::any_of(verdict.violations.begin(), verdict.violations.end(),
                           [](const check::Violation& v) {

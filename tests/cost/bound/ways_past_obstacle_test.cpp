@@ -9,15 +9,14 @@
 #include <numbers>
 
 #include "properties/seeds.h"
+#include "support/box_ring.h"
 
 namespace tramline::ways_past_obstacle_test {
 
 constexpr double kWidth_m = 3, kArc_m = 6, kOuter_m = kArc_m + 0.5 * kWidth_m;
 constexpr double kDear = 1e6;
 
-Ring rectangle(double left, double low, double right, double high) {
-  return {{left, low}, {right, low}, {right, high}, {left, high}};
-}
+using testing_support::box;
 
 /// Strips side by side from `left` on that a rectangle of corners `ring` blocks from side to side; all that
 /// is known of their detours is that they go round its corners.
@@ -44,7 +43,7 @@ ObstacleTerms terms(const Ring& ring) {
 // touches the strip's far line and the front of the obstacle: a square less a quarter of a disc is left, on
 // both sides, before the obstacle and behind it.
 TEST(WaysPastObstacle, LeaveTheCornersBetweenTheFrontAndTheInnermostDetours) {
-  const Ring ring = rectangle(-12, 0, 12, 10);
+  const Ring ring = box(-12, 0, 12, 10);
   std::vector<StripAtObstacle> strips = strips_at(ring, -12, 8);
   for (int i = 0; i < 8; ++i) strips[static_cast<std::size_t>(i)].ways[i < 4 ? 1 : 0].cost = kDear;
   const double corner_m2 = (1 - std::numbers::pi / 4) * kOuter_m * kOuter_m;
@@ -55,7 +54,7 @@ TEST(WaysPastObstacle, LeaveTheCornersBetweenTheFrontAndTheInnermostDetours) {
 
 // All on the left: the detour of the last strip leaves its corner before the obstacle and behind it.
 TEST(WaysPastObstacle, LeaveOneCornerBeforeAndBehindWhereAllGoRoundOnOneSide) {
-  const Ring ring = rectangle(-12, 0, 12, 10);
+  const Ring ring = box(-12, 0, 12, 10);
   std::vector<StripAtObstacle> strips = strips_at(ring, -12, 8);
   for (StripAtObstacle& strip : strips) strip.ways[1].cost = std::numeric_limits<double>::infinity();
   const double corner_m2 = (1 - std::numbers::pi / 4) * kOuter_m * kOuter_m;
@@ -66,13 +65,13 @@ TEST(WaysPastObstacle, LeaveOneCornerBeforeAndBehindWhereAllGoRoundOnOneSide) {
 
 // Detours that cross before the obstacle work what others leave.
 TEST(WaysPastObstacle, ChargeNothingWhereDetoursMayCross) {
-  const Ring ring = rectangle(-12, 0, 12, 10);
+  const Ring ring = box(-12, 0, 12, 10);
   EXPECT_NEAR(least_cost_past(terms(ring), strips_at(ring, -12, 8)), 0, 1e-9);
 }
 
 // A track that is cut works all of its strip before the front.
 TEST(WaysPastObstacle, LeaveNothingWhereAllAreCutAtAFlatFront) {
-  const Ring ring = rectangle(-12, 0, 12, 10);
+  const Ring ring = box(-12, 0, 12, 10);
   std::vector<StripAtObstacle> strips = strips_at(ring, -12, 8);
   for (StripAtObstacle& strip : strips) {
     strip.cut = 2;
@@ -83,7 +82,7 @@ TEST(WaysPastObstacle, LeaveNothingWhereAllAreCutAtAFlatFront) {
 
 // A strip that is not blocked in every grid costs nothing, and only one that goes round pays for it.
 TEST(WaysPastObstacle, ChargeNothingForAStripThatMayBeFree) {
-  const Ring ring = rectangle(-12, 0, 12, 10);
+  const Ring ring = box(-12, 0, 12, 10);
   std::vector<StripAtObstacle> strips = strips_at(ring, -15, 9);
   strips[0].blocked = false;
   for (SideWay& way : strips[0].ways) way.cost = 100;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "coverage/mesh/mesh_oracle.h"
+#include "support/box_ring.h"
 #include "tramline/coverage/mesh/connected_rings.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -20,9 +21,7 @@ using testing_meshes::together;
 
 constexpr int kLow = -24, kHigh = 24;
 
-Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 struct Operation {
   MeshOperation operation;

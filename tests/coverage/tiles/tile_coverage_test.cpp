@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "support/box_ring.h"
 #include "tramline/coverage/tiles/tile_frame.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -18,11 +19,9 @@ namespace {
 // Rounding to 7.5 nm over some hundred metres of edges.
 constexpr double kTolerance = 1e-6;
 
-Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
-Region field() { return {{rectangle(0, 0, 100, 50), {}}}; }
+Region field() { return {{box(0, 0, 100, 50), {}}}; }
 
 /// A machine that is told where its bar goes.
 class Machine {
@@ -114,9 +113,8 @@ TEST(TileCoverage, TwoPassesThatCross) {
   EXPECT_NEAR(areas.sliver_m2, 0, kTolerance);
   EXPECT_NEAR(areas.worked_times_m2[1], 208, kTolerance);
   EXPECT_NEAR(areas.worked_times_m2[2], 16, kTolerance);
-  EXPECT_NEAR(
-      area(symmetric_difference(engine.region(LandClass::kRepeated), {{rectangle(18, 18, 22, 22), {}}})), 0,
-      1e-4);
+  EXPECT_NEAR(area(symmetric_difference(engine.region(LandClass::kRepeated), {{box(18, 18, 22, 22), {}}})), 0,
+              1e-4);
 }
 
 TEST(TileCoverage, NeighboursThatOverlapAreRepeatedAllAlong) {
@@ -220,7 +218,7 @@ TEST(TileCoverage, AcrossTheBoundary) {
 }
 
 TEST(TileCoverage, AHoleOfTheFieldIsOutside) {
-  TileCoverage engine({{rectangle(0, 0, 100, 50), {reversed(rectangle(20, 10, 30, 20))}}}, {});
+  TileCoverage engine({{box(0, 0, 100, 50), {reversed(box(20, 10, 30, 20))}}}, {});
   Machine machine(engine, 4);
   machine.begin({10, 15}, kEast);
   machine.straight(30, 10);

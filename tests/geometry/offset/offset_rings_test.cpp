@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/box_ring.h"
 #include "tramline/geometry/polygon/smallest_disc.h"
 
 namespace tramline::offset_rings_test {
 
 constexpr double kPi = std::numbers::pi;
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using testing_support::box;
 
 double level_area(const std::vector<OffsetBoundary>& offset_boundaries,
                   const std::vector<OffsetDisc>& discs = {}) {

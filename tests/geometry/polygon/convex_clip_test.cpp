@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/box_ring.h"
+
 namespace tramline::convex_clip_test {
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using testing_support::box;
 ConvexSet set(double x0, double y0, double x1, double y1) { return convex_set(box(x0, y0, x1, y1)); }
 
 // A comb: clipping its teeth by a box yields several parts, and the area is their sum.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random_shapes.h"
+#include "support/box_ring.h"
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::strip_fold_test {
@@ -11,9 +12,7 @@ using testing::RandomCase;
 
 StripGrid upright(double origin, double width) { return {TrackFrame(), origin, width}; }
 
-Ring rectangle(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using testing_support::box;
 
 double inside_at(const StripProfile& profile, double along) {
   for (const Slab& slab : profile.slabs)
@@ -61,7 +60,7 @@ TEST(ByStrip, KeepsTheOrderWithinAStrip) {
 // are at 1.5, 4.5 and 7.5.
 TEST(StripFold, CutsARectangleAtTheLines) {
   StripFold fold;
-  fold.fold(std::vector<Ring>{rectangle(1, 2, 7, 12)}, upright(0, 3), {-1, 3}, {});
+  fold.fold(std::vector<Ring>{box(1, 2, 7, 12)}, upright(0, 3), {-1, 3}, {});
   const double widths[] = {0, 2, 3, 1, 0};
   for (std::size_t i = 0; i < 5; ++i) {
     const StripProfile& profile = fold.profile(i);
@@ -77,14 +76,14 @@ TEST(StripFold, CutsARectangleAtTheLines) {
 
 TEST(StripFold, SeesNothingOfStripsOutsideTheRange) {
   StripFold fold;
-  fold.fold(std::vector<Ring>{rectangle(-50, 2, 50, 12)}, upright(0, 3), {2, 3}, {});
+  fold.fold(std::vector<Ring>{box(-50, 2, 50, 12)}, upright(0, 3), {2, 3}, {});
   EXPECT_NEAR(area_of(fold.profile(0)), 30, 1e-9);
   EXPECT_NEAR(area_of(fold.profile(1)), 30, 1e-9);
 }
 
 TEST(StripFold, LeavesStripsEmptyThatAreNotWanted) {
   StripFold fold;
-  fold.fold(std::vector<Ring>{rectangle(0, 0, 12, 5)}, upright(0, 3), {0, 3}, {false, true, false, true});
+  fold.fold(std::vector<Ring>{box(0, 0, 12, 5)}, upright(0, 3), {0, 3}, {false, true, false, true});
   for (const std::size_t i : {0U, 2U}) {
     EXPECT_TRUE(fold.profile(i).empty()) << i;
     EXPECT_TRUE(fold.profile(i).centre_line.empty()) << i;
@@ -105,8 +104,7 @@ TEST(StripFold, HoldsTheLandOfEachStrip) {
     for (int k = range.first; k <= range.last; ++k) {
       const StripProfile& profile = fold.profile(static_cast<std::size_t>(k - range.first));
       const double left = grid.line(k), right = grid.line(k + 1);
-      EXPECT_NEAR(area_of(profile), area(intersection(region, {{rectangle(left, -99, right, 99), {}}})), 1e-3)
-          << k;
+      EXPECT_NEAR(area_of(profile), area(intersection(region, {{box(left, -99, right, 99), {}}})), 1e-3) << k;
       for (std::size_t i = 1; i < profile.slabs.size(); ++i)
         ASSERT_LE(profile.slabs[i - 1].to, profile.slabs[i].from);
       const double along = random.between(-60, 60);

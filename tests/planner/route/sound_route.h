@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "support/box_ring.h"
 #include "support/off_the_land.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline::testing {
 
-inline Ring box(double min_x, double min_y, double max_x, double max_y) {
-  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
-}
+using testing_support::box;
 
 inline Field rectangle(double width_m, double height_m) {
   Field field;
