@@ -14,8 +14,8 @@
 namespace tramline::track_options_test {
 
 using testing_poles::PoleField;
-using testing_support::box;
 using testing_poles::regular;
+using testing_support::box;
 
 TrackOption named(std::size_t found, std::size_t first_gap, Construction by) {
   TrackOption out;
