@@ -103,8 +103,8 @@ std::vector<Subfield> divided_like(const Region& ground, const std::vector<Subfi
       (area(part) >= kSliver_m2 ? out : slivers).push_back(part_of(subfield, part));
     rest = difference(rest, {subfield.shape});
   }
-  const auto smaller = std::partition(rest.begin(), rest.end(),
-                                      [](const Polygon& part) { return area(part) >= kSliver_m2; });
+  const auto smaller =
+      std::partition(rest.begin(), rest.end(), [](const Polygon& part) { return area(part) >= kSliver_m2; });
   const Region beyond(rest.begin(), smaller);
   if (!beyond.empty()) {
     rest.erase(rest.begin(), smaller);
@@ -112,8 +112,7 @@ std::vector<Subfield> divided_like(const Region& ground, const std::vector<Subfi
     for (const Polygon& part : beyond)
       for (Polygon& divided : split_by_lines(part, seams)) rest.push_back(std::move(divided));
   }
-  for (const Polygon& part : rest)
-    slivers.push_back(part_of(nearest_of(layout, interior_point(part)), part));
+  for (const Polygon& part : rest) slivers.push_back(part_of(nearest_of(layout, interior_point(part)), part));
   for (Subfield& sliver : slivers)
     if (!joined(sliver.shape, out) && area(sliver.shape) >= kRounding_m2) out.push_back(std::move(sliver));
   return out;

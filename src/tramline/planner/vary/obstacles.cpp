@@ -7,12 +7,12 @@
 namespace tramline {
 namespace {
 
-void vary_one(RouteComparison& plans, RouteLayouts& layouts, std::size_t obstacle, int passes) {
+/// Whether so many passes round the obstacle cost less.
+bool improves_with(RouteComparison& plans, RouteLayouts& layouts, std::size_t obstacle, int passes) {
   PassesByBoundary with = plans.best().passes;
-  if (with.obstacles[obstacle] == passes) return;
   with.obstacles[obstacle] = passes;
-  if (!has_such(plans.plans(), plans.best_plan(), with))
-    plans.improves(layouts.laid_out(Alternative::kSearched, plans.best_plan(), with));
+  return !has_such(plans.plans(), plans.best_plan(), with) &&
+         plans.improves(layouts.laid_out(Alternative::kSearched, plans.best_plan(), with));
 }
 
 }  // namespace
@@ -26,10 +26,12 @@ void vary_obstacles(RouteComparison& plans, RouteLayouts& layouts) {
   if (count > kFewObstacles) return;
   for (std::size_t i = 0; i < needed.size(); ++i) {
     if (needed[i] == 0) continue;
-    vary_one(plans, layouts, i, plans.best().passes.obstacles[i] > 0 ? 0 : needed[i]);
+    const int now = plans.best().passes.obstacles[i];
+    improves_with(plans, layouts, i, now > 0 ? 0 : needed[i]);
     // A few turns in the corners beside an obstacle may have asked for many passes all along it.
     const int edges = *std::ranges::max_element(plans.best().passes.edges);
-    if (edges > 0 && plans.best().passes.obstacles[i] > edges) vary_one(plans, layouts, i, edges);
+    int fewer = std::min(edges, plans.best().passes.obstacles[i] - 1);
+    while (fewer > 0 && improves_with(plans, layouts, i, fewer)) --fewer;
   }
 }
 
