@@ -4,6 +4,8 @@
 #include <cassert>
 #include <vector>
 
+#include "tramline/planner/vary/tracks.h"
+
 namespace tramline {
 namespace {
 
@@ -13,6 +15,18 @@ bool improves_with(RouteComparison& plans, RouteLayouts& layouts, std::size_t ob
   with.obstacles[obstacle] = passes;
   return !has_such(plans.plans(), plans.best_plan(), with) &&
          plans.improves(layouts.laid_out(Alternative::kSearched, plans.best_plan(), with));
+}
+
+/// The tracks that cost least behind so many passes, by the prices of the route and by the usual ones: where
+/// obstacles have no headland others may than where they have one.
+void search_behind(RouteComparison& plans, RouteLayouts& layouts, const std::vector<int>& obstacles) {
+  PassesByBoundary with = plans.best().passes;
+  with.obstacles = obstacles;
+  if (with == plans.best().passes || plans.has_to_end()) return;
+  if (!layouts.has_searched(with))
+    for (LaidOut& laid : layouts.searched(with))
+      if (!has_such(plans.plans(), laid.trial.draft.plan, with)) plans.improves(std::move(laid));
+  vary_prices(plans, layouts, with);
 }
 
 }  // namespace
@@ -33,6 +47,9 @@ void vary_obstacles(RouteComparison& plans, RouteLayouts& layouts) {
     int fewer = std::min(edges, plans.best().passes.obstacles[i] - 1);
     while (fewer > 0 && improves_with(plans, layouts, i, fewer)) --fewer;
   }
+  if (count == 0) return;
+  if (const auto none = layouts.none_round_obstacles()) search_behind(plans, layouts, *none);
+  search_behind(plans, layouts, needed);
 }
 
 }  // namespace tramline

@@ -157,6 +157,7 @@ std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like
 }
 
 std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
+  searched_.push_back(passes);
   std::vector<LaidOut> out;
   const Behind& on = behind(passes);
   const PlanningProblem& problem = on.problem;
@@ -183,6 +184,10 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   }
   add(Alternative::kSearched, std::move(found));
   return out;
+}
+
+bool RouteLayouts::has_searched(const PassesByBoundary& passes) const {
+  return std::ranges::find(searched_, passes) != searched_.end();
 }
 
 bool RouteLayouts::looked_for_curves(const PassesByBoundary& passes) const {

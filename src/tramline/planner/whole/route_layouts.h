@@ -67,6 +67,8 @@ class RouteLayouts {
   /// The tracks of least cost behind these passes, and the undivided ones where these are several subfields;
   /// the passes alone where they leave no room for tracks.
   std::vector<LaidOut> searched(const PassesByBoundary& passes);
+  /// Whether those behind these passes were asked for.
+  bool has_searched(const PassesByBoundary& passes) const;
 
   /// Tracks along curves behind these passes, where the settings leave their shape to the planner: those of
   /// least cost along edges of the land there, and those in some parts of it where that costs less than
@@ -119,6 +121,7 @@ class RouteLayouts {
   SearchContext sweeping_;
   int least_passes_ = 0;
   std::vector<std::unique_ptr<const Behind>> kept_;
+  std::vector<PassesByBoundary> searched_;        ///< behind which straight tracks were looked for
   std::vector<PassesByBoundary> curved_;          ///< behind which curves were looked for
   std::optional<PassesByBoundary> first_open_{};  ///< where the tracks of the first layout end, if known
   std::vector<int> obstacle_passes_;              ///< as many as turns need, 0 where all tracks go round
