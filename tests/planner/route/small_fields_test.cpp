@@ -77,6 +77,29 @@ TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
   }
 }
 
+/// With a ditch from near its western edge to its middle.
+Field field_with_a_ditch() {
+  Field out;
+  out.id = "ditch";
+  out.outer = {{0, 0}, {300, 30}, {290, 210}, {10, 190}};
+  const Ring ditch = {{8, 99}, {140, 99}, {140, 103}, {8, 103}};
+  out.obstacles = {{{ditch, {}}, ObstacleKind::kObstacle, "ditch"}};
+  return out;
+}
+
+// Where the ditch has no headland other tracks cost least than where it has one.
+TEST(SmallFields, CostNoMoreThanWithoutHeadlandsRoundObstacles) {
+  Machine machine = wide_machine();
+  machine.radius_m = 6;
+  PlanSettings settings = planned_whole(std::nullopt);
+  settings.obstacle_headland_rule = HeadlandRule::kTurns;
+  const double free = whole_cost(plan_field(field_with_a_ditch(), machine, {}, settings)).euros();
+  PlanSettings asked = planned_whole(1);
+  asked.obstacle_headland_rule = HeadlandRule::kPasses;
+  asked.obstacle_headlands = 0;
+  EXPECT_LE(free, 1.005 * whole_cost(plan_field(field_with_a_ditch(), machine, {}, asked)).euros());
+}
+
 // Tracks left out are tried as well, some of which save less than the land that they leave is worth. Routes
 // that are planned to be told of alone may cost a little less than was expected of them.
 TEST(SmallFields, NothingIsToldOfThatCostsLessThanThePlan) {
