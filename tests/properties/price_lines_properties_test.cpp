@@ -227,7 +227,7 @@ void for_random_lines(int standard, Property property) {
 // The union of all bands on a grid of 1e-6 m, whose edges move by less than that: 1e-6 m times their length,
 // and the land's. Each crossing of edges is rounded once more.
 TEST(PriceLinesProperties, FiguresAreThoseOfPolygonBooleans) {
-  for_random_lines(150, [](const Given& given, const Plan& plan) {
+  for_random_lines(80, [](const Given& given, const Plan& plan) {
     Region bands, land{{given.field.outer, {}}};
     double worked_m2 = 0, edges_m = perimeter(given.field.outer);
     for (const Polyline& line : given.lines) {
