@@ -6,23 +6,17 @@
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/outline_distance.h"
 
 namespace tramline {
 namespace {
-
-double distance_to(const Ring& ring, Point p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    nearest = std::min(nearest, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
-  return nearest;
-}
 
 void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
   constexpr double kWorthSaying_m = 0.01;
   const Region outside = difference(plan.overlap, {{plan.field.outer, {}}});
   double farthest = 0;
   for (const Polygon& part : outside)
-    for (const Point p : part.outer) farthest = std::max(farthest, distance_to(plan.field.outer, p));
+    for (const Point p : part.outer) farthest = std::max(farthest, distance_to_outline(p, plan.field.outer));
   if (farthest < kWorthSaying_m) return;
   out.push_back(
       fmt::format("swaths pass the field boundary by up to {:.2f} m ({:.1f} m² in all); --boundary hard "

@@ -59,8 +59,9 @@ std::optional<double> euros_of(const Field& field, std::optional<int> passes) {
 
 // What is chosen freely costs no more than what is asked for, but for the steps of searches.
 TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
+  constexpr int kCases = 8;
   int dearer = 0;
-  for_each_seed(8, [&](std::mt19937_64& random, int) {
+  for_each_seed(kCases, [&](std::mt19937_64& random, int) {
     const Field field = small_field(random);
     const std::optional<double> free = euros_of(field, std::nullopt);
     for (const int passes : {0, 1, 2}) {
@@ -72,7 +73,7 @@ TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
     }
   });
   std::cout << dearer << " headlands asked for cost a tenth more\n";
-  if (testing::case_count(12) >= 12) {
+  if (testing::case_count(kCases) >= kCases) {
     EXPECT_GT(dearer, 0);
   }
 }

@@ -111,17 +111,30 @@ TEST(SqueezedWays, LeadStraightIntoAnArm) {
   EXPECT_LT(distance(end_of(way.path).at, entered.front().start.at), 1e-6);
 }
 
-// West of the first room a spur 6.6 m wide ends blind: the work in it leads west, and the machine comes out
-// of it by the way it came. Through the corridor it sticks out by no more than it did.
-TEST(SqueezedWays, BackOutOfASpurAndLeadOnAlongTheLand) {
+struct WayFromSpur {
+  Way straight, squeezed;
+  Point entered;
+};
+
+/// From work that leads west into a spur of the first room, which ends blind 40 m on and is so wide.
+WayFromSpur way_from_a_spur(double wide_m) {
+  constexpr double kMiddle_m = 30.3, kDeep_m = 40;
+  const double low = kMiddle_m - 0.5 * wide_m, high = kMiddle_m + 0.5 * wide_m;
   Field field = rooms();
-  field.outer.insert(field.outer.end(), {{0, 33.6}, {-40, 33.6}, {-40, 27}, {0, 27}});
+  field.outer.insert(field.outer.end(), {{0, high}, {-kDeep_m, high}, {-kDeep_m, low}, {0, low}});
   Scene scene(through_the_corridor, six_metres_wide(), field);
-  const SteeredPath into_the_spur = straight_on({30, 30.3}, 270, 65);
+  const SteeredPath into_the_spur = straight_on({30, kMiddle_m}, 270, 65);
   const Way straight = scene.connector.between(into_the_spur, scene.entered);
-  ASSERT_GT(straight.missing_m, 15) << "across the land of others";
+  EXPECT_GT(straight.missing_m, 15) << "across the land of others";
   SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
-  const Way way = squeezed.along_the_land(straight, into_the_spur, scene.entered);
+  return {straight, squeezed.along_the_land(straight, into_the_spur, scene.entered),
+          scene.entered.front().start.at};
+}
+
+// The machine comes out of the spur by the way it came. Through the corridor it sticks out by no more than it
+// did.
+TEST(SqueezedWays, BackOutOfASpurAndLeadOnAlongTheLand) {
+  const auto [straight, way, entered] = way_from_a_spur(6.6);
   EXPECT_LT(way.missing_m, 3);
   ASSERT_TRUE(way.backs_out);
   const std::vector<RouteLeg> legs = legs_of(way);
@@ -130,19 +143,12 @@ TEST(SqueezedWays, BackOutOfASpurAndLeadOnAlongTheLand) {
   EXPECT_GE(length(legs.front().path), 35) << "to where there is room to turn";
   EXPECT_EQ(legs.front().missing_m, 0) << "along its work it has room";
   EXPECT_EQ(legs[1].missing_m, way.missing_m);
-  EXPECT_LT(distance(end_of(way.path).at, scene.entered.front().start.at), 1e-6);
+  EXPECT_LT(distance(end_of(way.path).at, entered), 1e-6);
 }
 
-// In a spur 5 m wide the machine would stick out while it backs, however narrow a machine backs out of it.
+// The machine would stick out while it backs, however narrow a machine backs out of the spur.
 TEST(SqueezedWays, BackOutOfNoSpurThatIsTooNarrow) {
-  Field field = rooms();
-  field.outer.insert(field.outer.end(), {{0, 32.8}, {-40, 32.8}, {-40, 27.8}, {0, 27.8}});
-  Scene scene(through_the_corridor, six_metres_wide(), field);
-  const SteeredPath into_the_spur = straight_on({30, 30.3}, 270, 65);
-  const Way straight = scene.connector.between(into_the_spur, scene.entered);
-  ASSERT_GT(straight.missing_m, 15) << "across the land of others";
-  SqueezedWays squeezed(scene.connector, scene.field, scene.tracks, through_the_corridor);
-  const Way way = squeezed.along_the_land(straight, into_the_spur, scene.entered);
+  const auto [straight, way, entered] = way_from_a_spur(5);
   EXPECT_FALSE(way.backs_on_land);
   EXPECT_EQ(length(way.path), length(straight.path));
   EXPECT_EQ(way.missing_m, straight.missing_m);

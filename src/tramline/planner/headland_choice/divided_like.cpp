@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <utility>
 
 #include "tramline/geometry/point.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/interior_point.h"
+#include "tramline/geometry/polygon/outline_distance.h"
 
 namespace tramline {
 namespace {
@@ -26,29 +26,16 @@ Subfield part_of(const Subfield& subfield, const Polygon& shape) {
   return {shape, subfield.direction, subfield.reference, subfield.given_by};
 }
 
-double distance_to_ring_m(const Ring& ring, Point p) {
-  double out = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    out = std::min(out, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
-  return out;
-}
-
-double distance_to_outline_m(const Polygon& polygon, Point p) {
-  double out = distance_to_ring_m(polygon.outer, p);
-  for (const Ring& hole : polygon.holes) out = std::min(out, distance_to_ring_m(hole, p));
-  return out;
-}
-
 const Subfield& nearest_of(const std::vector<Subfield>& subfields, Point p) {
   return *std::ranges::min_element(
-      subfields, {}, [&](const Subfield& subfield) { return distance_to_outline_m(subfield.shape, p); });
+      subfields, {}, [&](const Subfield& subfield) { return distance_to_outline(p, subfield.shape); });
 }
 
 double farthest_m(const Region& rest, const std::vector<Subfield>& layout) {
   double out = 0;
   for (const Ring& ring : rings_of(rest))
     for (const Point corner : ring)
-      out = std::max(out, distance_to_outline_m(nearest_of(layout, corner).shape, corner));
+      out = std::max(out, distance_to_outline(corner, nearest_of(layout, corner).shape));
   return out;
 }
 
@@ -61,7 +48,7 @@ std::vector<std::vector<Point>> seams_driven_on(const std::vector<Subfield>& lay
         const Point a = ring[i], b = ring[(i + 1) % ring.size()];
         const Point middle = 0.5 * (a + b);
         const bool on_seam = std::ranges::any_of(layout, [&](const Subfield& other) {
-          return &other != &one && distance_to_outline_m(other.shape, middle) <= kOnSeam_m;
+          return &other != &one && distance_to_outline(middle, other.shape) <= kOnSeam_m;
         });
         if (!on_seam || a == b) continue;
         const Point on = (by_m / distance(a, b)) * (b - a);
@@ -75,7 +62,7 @@ bool joined(const Polygon& shape, std::vector<Subfield>& subfields) {
   const Point inside = interior_point(shape);
   std::vector<std::pair<double, Subfield*>> by_distance;
   for (Subfield& subfield : subfields)
-    by_distance.emplace_back(distance_to_outline_m(subfield.shape, inside), &subfield);
+    by_distance.emplace_back(distance_to_outline(inside, subfield.shape), &subfield);
   std::ranges::stable_sort(by_distance, {}, [](const auto& one) { return one.first; });
   return std::ranges::any_of(by_distance, [&](const auto& one) {
     Region both = unite({one.second->shape}, {shape});

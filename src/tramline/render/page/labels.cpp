@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "tramline/geometry/polygon/interior_point.h"
+#include "tramline/geometry/polygon/outline_distance.h"
 #include "tramline/render/page/map_symbols.h"
 #include "tramline/render/page/page_headings.h"
 #include "tramline/render/page/text.h"
@@ -21,14 +21,6 @@ constexpr double kLongestArrow = 130;
 constexpr int kBadgeGrid = 28;
 // Share of labels that may find no room before the next stride is tried.
 constexpr double kToleratedMisses = 0.04;
-
-double distance_to_edge(Point p, const Polygon& polygon) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : rings_of({polygon}))
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      least = std::min(least, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
-  return least;
-}
 
 // Just behind the start of the piece, so that the label does not hide the track's own end.
 std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t number, const MapView& view,
@@ -92,7 +84,7 @@ RoomyPoint roomiest_point(const Polygon& polygon, const MapView& view) {
       const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),
                     box.min_y + (row + 0.5) / kBadgeGrid * box.height()};
       if (!contains(polygon, p)) continue;
-      const double room = distance_to_edge(p, polygon) * view.px_per_m;
+      const double room = distance_to_outline(p, polygon) * view.px_per_m;
       // A clear gain only: of nearly equal places the first is taken, whatever the rounding.
       if (room > best.room_px * (1 + 1e-9)) best = {view.to_page(p), room};
     }

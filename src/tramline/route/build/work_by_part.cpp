@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/outline_distance.h"
 #include "tramline/route/axle/axle_path.h"
 
 namespace tramline {
@@ -22,12 +23,7 @@ Region places_of_axle(const DrivingGround& ground) {
 Point middle_of(const SteeredPath& path) { return pose_on(path, 0.5 * length(path)).at; }
 
 double distance_to(const Polygon& part, Point p) {
-  if (contains(part, p)) return 0;
-  double out_m = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : rings_of({part}))
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      out_m = std::min(out_m, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
-  return out_m;
+  return contains(part, p) ? 0 : distance_to_outline(p, part);
 }
 
 std::size_t nearest_part(const Region& parts, Point p) {
