@@ -59,7 +59,7 @@ Point first_start(const LaidOut& laid) { return laid.trial.draft.plan.pieces.fro
 // Along the strip at most seven miss or overlap some of 40 m, and end in front of 12 m of headland.
 TEST(AllRoundTheCompass, KnowsEndsWithoutAWayOff) {
   const LaidOut across = across_the_strip();
-  const std::vector<LaidOut> all = all_round_the_compass(across, 4, SearchContext(1));
+  const std::vector<LaidOut> all = all_round_the_compass(across, 4, kAnyCost, SearchContext(1));
   ASSERT_EQ(all.size(), 4U);
   EXPECT_LT(all.front().trial.found.best.avoided.tally.pieces, 8);
   EXPECT_DOUBLE_EQ(degrees_of(all.front()), 0);
@@ -68,8 +68,8 @@ TEST(AllRoundTheCompass, KnowsEndsWithoutAWayOff) {
 
 TEST(AllRoundTheCompass, BeginsWithTheLowestFloorsForAnyNumberOfThreads) {
   const LaidOut across = across_the_strip();
-  const std::vector<LaidOut> all = all_round_the_compass(across, 12, SearchContext(1));
-  const std::vector<LaidOut> again = all_round_the_compass(across, 12, SearchContext(3));
+  const std::vector<LaidOut> all = all_round_the_compass(across, 12, kAnyCost, SearchContext(1));
+  const std::vector<LaidOut> again = all_round_the_compass(across, 12, kAnyCost, SearchContext(3));
   ASSERT_EQ(all.size(), 12U);
   ASSERT_EQ(again.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -93,13 +93,27 @@ TEST(AllRoundTheCompass, BeginsWithTheLowestFloorsForAnyNumberOfThreads) {
     }
 }
 
+// What lies above a floor is left out, as far as the stops need not be known.
+TEST(AllRoundTheCompass, LeavesOutWhatCostsMore) {
+  const LaidOut across = across_the_strip();
+  const std::vector<LaidOut> all = all_round_the_compass(across, 12, kAnyCost, SearchContext(1));
+  const double third = floor_of(all[2]);
+  const std::vector<LaidOut> up_to = all_round_the_compass(across, 12, third + kRounding, SearchContext(1));
+  ASSERT_GE(up_to.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(floor_of(up_to[i]), floor_of(all[i])) << i;
+  for (const LaidOut& laid : up_to)
+    EXPECT_LE(floor_without_stops(laid.trial.draft.plan, laid.trial.draft.plan.headland.passes),
+              third + 2 * kRounding);
+  EXPECT_TRUE(all_round_the_compass(across, 12, -1, SearchContext(1)).empty());
+}
+
 // A pond of 8 m that tracks cut or go round: of all directions and grids, each with its ways round, none has
 // a lower floor than the first.
 TEST(AllRoundTheCompass, FindsTheLowestFloorAmongObstacles) {
   Field field = testing::strip_field();
   field.obstacles.push_back({{{{16, 90}, {24, 90}, {24, 98}, {16, 98}}, {}}, ObstacleKind::kObstacle, ""});
   const LaidOut across = across_the_strip(field);
-  const std::vector<LaidOut> all = all_round_the_compass(across, 4, SearchContext(1));
+  const std::vector<LaidOut> all = all_round_the_compass(across, 4, kAnyCost, SearchContext(1));
   ASSERT_EQ(all.size(), 4U);
   double least = std::numeric_limits<double>::infinity();
   for (double deg = 0; deg < 180; deg += 3)

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "properties/draws.h"
 #include "properties/seeds.h"
@@ -78,27 +79,40 @@ TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
   }
 }
 
-/// With a ditch from near its western edge to its middle.
-Field field_with_a_ditch() {
+/// With a ditch 4 m wide from near its western edge so far to the east.
+Field field_with_a_ditch(double until_m, double south_m) {
   Field out;
   out.id = "ditch";
   out.outer = {{0, 0}, {300, 30}, {290, 210}, {10, 190}};
-  const Ring ditch = {{8, 99}, {140, 99}, {140, 103}, {8, 103}};
+  const Ring ditch = {{8, south_m}, {until_m, south_m}, {until_m, south_m + 4}, {8, south_m + 4}};
   out.obstacles = {{{ditch, {}}, ObstacleKind::kObstacle, "ditch"}};
   return out;
 }
 
-// Where the ditch has no headland other tracks cost least than where it has one.
-TEST(SmallFields, CostNoMoreThanWithoutHeadlandsRoundObstacles) {
-  Machine machine = wide_machine();
-  machine.radius_m = 6;
-  PlanSettings settings = planned_whole(std::nullopt);
-  settings.obstacle_headland_rule = HeadlandRule::kTurns;
-  const double free = whole_cost(plan_field(field_with_a_ditch(), machine, {}, settings)).euros();
-  PlanSettings asked = planned_whole(1);
-  asked.obstacle_headland_rule = HeadlandRule::kPasses;
-  asked.obstacle_headlands = 0;
-  EXPECT_LE(free, 1.005 * whole_cost(plan_field(field_with_a_ditch(), machine, {}, asked)).euros());
+/// A machine, the ditch, and headland passes that are asked for.
+struct BesideADitch {
+  double width_m = 0, radius_m = 0, until_m = 0, south_m = 0;
+  int passes = 0, round_ditch = 0;
+};
+
+// Where the ditch has no headland, or one pass where turns need two, other tracks cost least.
+TEST(SmallFields, CostNoMoreThanWithHeadlandsRoundObstaclesAskedFor) {
+  const std::vector<BesideADitch> all{
+      {12, 6, 140, 99, 2, 0}, {24, 8, 140, 130, 1, 0}, {24, 6, 140, 99, 1, 1}, {12, 6, 80, 130, 2, 1}};
+  for (const BesideADitch& one : all) {
+    const Field field = field_with_a_ditch(one.until_m, one.south_m);
+    Machine machine;
+    machine.width_m = one.width_m;
+    machine.radius_m = one.radius_m;
+    PlanSettings settings = planned_whole(std::nullopt);
+    settings.obstacle_headland_rule = HeadlandRule::kTurns;
+    const double free = whole_cost(plan_field(field, machine, {}, settings)).euros();
+    PlanSettings asked = planned_whole(one.passes);
+    asked.obstacle_headland_rule = HeadlandRule::kPasses;
+    asked.obstacle_headlands = one.round_ditch;
+    EXPECT_LE(free, 1.005 * whole_cost(plan_field(field, machine, {}, asked)).euros())
+        << one.width_m << " m wide, " << one.until_m << " m, " << one.south_m << " m";
+  }
 }
 
 // Tracks left out are tried as well, some of which save less than the land that they leave is worth. Routes

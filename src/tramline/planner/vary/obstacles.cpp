@@ -9,6 +9,8 @@
 namespace tramline {
 namespace {
 
+int deepest_at_edges(const PassesByBoundary& passes) { return *std::ranges::max_element(passes.edges); }
+
 /// Whether so many passes round the obstacle cost less.
 bool improves_with(RouteComparison& plans, RouteLayouts& layouts, std::size_t obstacle, int passes) {
   PassesByBoundary with = plans.best().passes;
@@ -17,16 +19,32 @@ bool improves_with(RouteComparison& plans, RouteLayouts& layouts, std::size_t ob
          plans.improves(layouts.laid_out(Alternative::kSearched, plans.best_plan(), with));
 }
 
-/// The tracks that cost least behind so many passes, by the prices of the route and by the usual ones: where
-/// obstacles have no headland others may than where they have one.
+/// The obstacle gets a headland, or loses it. A few turns in the corners beside it may have asked for many
+/// passes all along it: fewer are tried, no more than along the edges, as long as that costs less.
+void vary_one(RouteComparison& plans, RouteLayouts& layouts, std::size_t obstacle, int needed) {
+  const auto passes = [&] { return plans.best().passes.obstacles[obstacle]; };
+  improves_with(plans, layouts, obstacle, passes() > 0 ? 0 : needed);
+  int fewer = std::min(deepest_at_edges(plans.best().passes), (passes() > 0 ? passes() : needed) - 1);
+  while (fewer > 0 && improves_with(plans, layouts, obstacle, fewer)) --fewer;
+}
+
+/// The tracks that cost least behind so many passes, by the prices of the route and by the usual ones, and
+/// along curves: where obstacles have no headland others may than where they have one.
 void search_behind(RouteComparison& plans, RouteLayouts& layouts, const std::vector<int>& obstacles) {
   PassesByBoundary with = plans.best().passes;
   with.obstacles = obstacles;
-  if (with == plans.best().passes || plans.has_to_end()) return;
+  if (plans.has_to_end()) return;
   if (!layouts.has_searched(with))
     for (LaidOut& laid : layouts.searched(with))
       if (!has_such(plans.plans(), laid.trial.draft.plan, with)) plans.improves(std::move(laid));
   vary_prices(plans, layouts, with);
+  if (layouts.looked_for_curves(with)) return;
+  for (LaidOut& laid : layouts.along_curves(with)) plans.improves(std::move(laid));
+}
+
+std::vector<int> one_round_each(std::vector<int> needed) {
+  for (int& passes : needed) passes = std::min(passes, 1);
+  return needed;
 }
 
 }  // namespace
@@ -38,18 +56,12 @@ void vary_obstacles(RouteComparison& plans, RouteLayouts& layouts) {
   const auto count =
       static_cast<std::size_t>(std::ranges::count_if(needed, [](int passes) { return passes > 0; }));
   if (count > kFewObstacles) return;
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i] == 0) continue;
-    const int now = plans.best().passes.obstacles[i];
-    improves_with(plans, layouts, i, now > 0 ? 0 : needed[i]);
-    // A few turns in the corners beside an obstacle may have asked for many passes all along it.
-    const int edges = *std::ranges::max_element(plans.best().passes.edges);
-    int fewer = std::min(edges, plans.best().passes.obstacles[i] - 1);
-    while (fewer > 0 && improves_with(plans, layouts, i, fewer)) --fewer;
-  }
+  for (std::size_t i = 0; i < needed.size(); ++i)
+    if (needed[i] > 0) vary_one(plans, layouts, i, needed[i]);
   if (count == 0) return;
   if (const auto none = layouts.none_round_obstacles()) search_behind(plans, layouts, *none);
   search_behind(plans, layouts, needed);
+  search_behind(plans, layouts, one_round_each(needed));
 }
 
 }  // namespace tramline

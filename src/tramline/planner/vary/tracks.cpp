@@ -44,10 +44,12 @@ void append_all_round(const RouteComparison& plans, const ComparedPlan& like, Ro
   const std::optional<LaidOut> on =
       passes == like.passes() ? like.laid : layouts.laid_out(Alternative::kSearched, like.plan(), passes);
   if (!on) return;
-  for (LaidOut& laid : all_round_the_compass(*on, kPointed, plans.context())) {
+  const double beyond_floor = *like.price - like.floor;
+  const double no_more_than = (1 + kComesNear) * plans.least_price();
+  for (LaidOut& laid : all_round_the_compass(*on, kPointed, no_more_than - beyond_floor, plans.context())) {
     ComparedPlan plan = compared_plan(std::move(laid));
-    const double costs = plan.floor + *like.price - like.floor;
-    if (costs <= (1 + kComesNear) * plans.least_price()) out.push_back({costs, std::move(plan)});
+    const double costs = plan.floor + beyond_floor;
+    if (costs <= no_more_than) out.push_back({costs, std::move(plan)});
   }
 }
 

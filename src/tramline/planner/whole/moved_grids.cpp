@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
+#include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/strip/track_frame.h"
@@ -23,6 +23,8 @@ constexpr int kDirections = 60;
 constexpr double kApart_deg = 3;
 /// Among obstacles ways past them are looked for on so many times as many grids as are drafted.
 constexpr std::size_t kLookedInto = 8;
+/// Stops are looked for on so many grids at once, whatever the number of threads.
+constexpr std::size_t kStopsAtOnce = 8;
 
 using CandidateOf = std::function<Candidate(std::size_t line)>;
 
@@ -70,30 +72,66 @@ Plan tracks_alone(const SearchTask& task, const Candidate& candidate) {
   return out;
 }
 
-/// Of some lines the `most` on which candidates have the lowest floors, these first.
-std::vector<std::size_t> of_lowest_floors(const std::vector<std::size_t>& among, std::size_t most,
-                                          const AllowedLand& land, const SearchTask& task,
-                                          const CandidateOf& candidate_of, const SearchContext& context) {
-  std::vector<std::pair<double, std::size_t>> floors(among.size());
+/// The floor of some tracks, without that of the headlands.
+struct Floored {
+  double floor = 0;
+  std::size_t line = 0;
+  Plan tracks{};
+
+  friend bool operator<(const Floored& a, const Floored& b) {
+    return std::pair(a.floor, a.line) < std::pair(b.floor, b.line);
+  }
+};
+
+/// Those that have tracks and whose floor with the headlands is no higher than that, without their stops.
+std::vector<Floored> floors_without_stops(const std::vector<std::size_t>& among, const LaidOut& laid,
+                                          const SearchTask& task, const CandidateOf& candidate_of,
+                                          double no_more_than, const SearchContext& context) {
+  const std::vector<HeadlandPass>& passes = laid.trial.draft.plan.headland.passes;
+  std::vector<std::optional<Floored>> found(among.size());
   for_each_index(among.size(), context, [&](std::size_t i) {
     const Candidate candidate = candidate_of(among[i]);
-    const double floor = candidate.works() ? route_floor(tracks_alone(task, candidate), land)
-                                           : std::numeric_limits<double>::infinity();
-    floors[i] = {floor, among[i]};
+    if (!candidate.works()) return;
+    Plan tracks = tracks_alone(task, candidate);
+    if (floor_without_stops(tracks, passes) > no_more_than) return;
+    const double floor = floor_without_stops(tracks, {});
+    found[i] = Floored{floor, among[i], std::move(tracks)};
   });
-  std::ranges::sort(floors);
+  std::vector<Floored> out;
+  for (std::optional<Floored>& one : found)
+    if (one) out.push_back(*std::move(one));
+  return out;
+}
+
+/// Of some lines the `most` on which candidates have the lowest floors, these first. Stops are looked for,
+/// which takes longest, only where the floor without them is among the lowest.
+std::vector<std::size_t> of_lowest_floors(std::vector<Floored> candidates, std::size_t most,
+                                          const AllowedLand& land, const SearchContext& context) {
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<Floored> lowest;
+  for (std::size_t next = 0; next < candidates.size();) {
+    if (lowest.size() == most && lowest.back().floor < candidates[next].floor) break;
+    const std::size_t first = next;
+    next = std::min(first + kStopsAtOnce, candidates.size());
+    for_each_index(next - first, context, [&](std::size_t i) {
+      candidates[first + i].floor += price_of_stops(candidates[first + i].tracks, land);
+    });
+    std::move(candidates.begin() + static_cast<std::ptrdiff_t>(first),
+              candidates.begin() + static_cast<std::ptrdiff_t>(next), std::back_inserter(lowest));
+    std::sort(lowest.begin(), lowest.end());
+    lowest.resize(std::min(lowest.size(), most));
+  }
   std::vector<std::size_t> out;
-  for (const auto& [floor, line] : floors)
-    if (out.size() < most && std::isfinite(floor)) out.push_back(line);
+  for (const Floored& one : lowest) out.push_back(one.line);
   return out;
 }
 
 /// Tracks on the lines, of so many directions, behind the passes of a layout: the `most` of them of the
-/// lowest floors. Among obstacles ways past them are looked for only where the floor is low with all tracks
-/// cut, because that takes many times as long.
+/// lowest floors, up to a floor with the headlands. Among obstacles ways past them are looked for only where
+/// the floor is low with all tracks cut, because that takes many times as long.
 std::vector<LaidOut> drafted_of_lowest_floors(const LaidOut& laid,
                                               const std::vector<std::vector<LinedSubfield>>& lines,
-                                              int directions, std::size_t most,
+                                              int directions, std::size_t most, double no_more_than,
                                               const SearchContext& context) {
   const PlanningProblem problem = problem_of(laid);
   const PreparedField& prepared = laid.trial.prepared;
@@ -103,10 +141,14 @@ std::vector<LaidOut> drafted_of_lowest_floors(const LaidOut& laid,
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!problem.field.obstacles.empty())
     order = of_lowest_floors(
-        order, kLookedInto * most, land, task,
-        [&](std::size_t i) { return cut_candidate_on(task, lines[i]); }, context);
-  order = of_lowest_floors(
-      order, most, land, task, [&](std::size_t i) { return candidate_on(task, lines[i]); }, context);
+        floors_without_stops(
+            order, laid, task, [&](std::size_t i) { return cut_candidate_on(task, lines[i]); }, kAnyCost,
+            context),
+        kLookedInto * most, land, context);
+  order = of_lowest_floors(floors_without_stops(
+                               order, laid, task, [&](std::size_t i) { return candidate_on(task, lines[i]); },
+                               no_more_than, context),
+                           most, land, context);
   std::vector<LaidOut> out;
   for (const std::size_t i : order)
     out.push_back(drafted_like(laid, task, problem, candidate_on(task, lines[i]), directions));
@@ -125,10 +167,10 @@ std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchC
   for (const double turned_deg : kTurned_deg)
     for (int i = turned_deg == 0 ? 1 : 0; i < kOffsets; ++i)
       lines.push_back(moved(lined, i * step_m, Angle::degrees(turned_deg), middle));
-  return drafted_of_lowest_floors(laid, lines, kTurned_deg.size(), most, context);
+  return drafted_of_lowest_floors(laid, lines, kTurned_deg.size(), most, kAnyCost, context);
 }
 
-std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
+std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most, double no_more_than,
                                            const SearchContext& context) {
   const double step_m = laid.trial.problem.machine.width_m / kOffsets;
   std::vector<std::vector<LinedSubfield>> lines;
@@ -137,7 +179,7 @@ std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most
       lines.push_back(on_one_grid(laid.trial.prepared.ground.plannable,
                                   Direction::clockwise_from_north(Angle::degrees(kApart_deg * direction)),
                                   i * step_m));
-  return drafted_of_lowest_floors(laid, lines, kDirections, most, context);
+  return drafted_of_lowest_floors(laid, lines, kDirections, most, no_more_than, context);
 }
 
 }  // namespace tramline

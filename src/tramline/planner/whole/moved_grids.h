@@ -16,8 +16,10 @@ namespace tramline {
 /// None for others. Deterministic for any number of threads, as what follows.
 std::vector<LaidOut> beside(const LaidOut& laid, std::size_t most, const SearchContext& context);
 
-/// The same for grids behind the passes of a layout in directions all round that are three degrees apart.
-std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most,
+/// The same for grids behind the passes of a layout in directions all round that are three degrees apart,
+/// those whose floor lies above `no_more_than` left out as far as that is known without looking for stops,
+/// EUR.
+std::vector<LaidOut> all_round_the_compass(const LaidOut& laid, std::size_t most, double no_more_than,
                                            const SearchContext& context);
 
 }  // namespace tramline

@@ -31,19 +31,26 @@ int blind_ends(const Plan& plan, const AllowedLand& land) {
 }  // namespace
 
 double route_floor(const Plan& plan, const AllowedLand& turning_land) {
+  return floor_without_stops(plan, plan.headland.passes) + price_of_stops(plan, turning_land);
+}
+
+double price_of_stops(const Plan& plan, const AllowedLand& turning_land) {
+  if (plan.machine.turning.reverse) return 0;
+  return rates_of(plan.machine).price_per_stop * std::max(0, blind_ends(plan, turning_land) - 2);
+}
+
+double floor_without_stops(const Plan& plan, const std::vector<HeadlandPass>& passes) {
   const Machine& machine = plan.machine;
   const Rates rates = rates_of(machine);
   const SecondPrices second = second_prices(rates);
   double work_m = 0;
   for (const TrackPiece& piece : plan.pieces) work_m += length(centre_line(piece));
-  for (const HeadlandPass& pass : plan.headland.passes) work_m += length(pass.path);
-  const double joins = static_cast<double>(plan.pieces.size()) -
-                       static_cast<double>(plan.headland.passes.size()) -
+  for (const HeadlandPass& pass : passes) work_m += length(pass.path);
+  const double joins = static_cast<double>(plan.pieces.size()) - static_cast<double>(passes.size()) -
                        static_cast<double>(plan.subfields.size());
   const double turning_m = std::max(0.0, joins) * std::numbers::pi * machine.radius_m;
-  const int stops = machine.turning.reverse ? 0 : std::max(0, blind_ends(plan, turning_land) - 2);
   return second.at_work * work_m / machine.turning.working_speed_mps +
-         second.work_off * turning_m / machine.turning.turning_speed_mps + rates.price_per_stop * stops +
+         second.work_off * turning_m / machine.turning.turning_speed_mps +
          overlap_price_per_m2(rates) * plan.tally.overlap_m2 +
          missed_price_per_m2(rates) * plan.tally.uncovered_m2;
 }

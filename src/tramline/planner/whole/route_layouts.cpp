@@ -1,6 +1,7 @@
 #include "tramline/planner/whole/route_layouts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
+#include "tramline/planner/search/sweep_search.h"
 #include "tramline/turns/turn_table.h"
 
 namespace tramline {
@@ -156,6 +158,16 @@ std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like
   return laid_out_on(behind(passes), kind, like);
 }
 
+const SearchResult& RouteLayouts::straight_on(const Behind& behind) {
+  assert(behind.prepared && area(behind.prepared->ground.plannable) > 0);
+  const auto known =
+      std::ranges::find(straight_, behind.passes, &std::pair<PassesByBoundary, SearchResult>::first);
+  if (known != straight_.end()) return known->second;
+  const PlanningProblem straight = with_straight_tracks(behind.problem);
+  const SearchTask task(straight, *behind.prepared);
+  return straight_.emplace_back(behind.passes, straight_search(task, context_.uncounted())).second;
+}
+
 std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   searched_.push_back(passes);
   std::vector<LaidOut> out;
@@ -168,9 +180,7 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
     out.push_back({Alternative::kSearched, {passes, problem, *prepared, {}, std::move(draft)}});
     return out;
   }
-  const PlanningProblem straight = with_straight_tracks(problem);
-  const SearchTask task(straight, *prepared);
-  SearchResult found = straight_search(task, context_.uncounted());
+  SearchResult found = straight_on(on);
   if (!found.best.works()) return out;
   const auto add = [&](Alternative kind, SearchResult result) {
     PlanDraft draft = drafted(SearchTask(problem, *prepared), result);
@@ -178,7 +188,8 @@ std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) {
   };
   if (!found.undivided.empty()) {
     SearchResult undivided;
-    undivided.best = candidate_on(task, found.undivided);
+    const PlanningProblem straight = with_straight_tracks(problem);
+    undivided.best = candidate_on(SearchTask(straight, *prepared), found.undivided);
     undivided.directions_tried = found.directions_tried;
     if (undivided.best.works()) add(Alternative::kUndivided, std::move(undivided));
   }
@@ -215,14 +226,22 @@ std::vector<LaidOut> RouteLayouts::along_curves(const PassesByBoundary& passes) 
   std::optional<Candidate> along = along_best_edge(task, searching);
   if (!along) return {};
   if (along->works()) add(std::move(*along));
+  SearchResult found = straight_on(on);
   const PlanningProblem straight = with_straight_tracks(on.problem);
-  const SearchResult found = straight_search(SearchTask(straight, *on.prepared), searching);
+  if (found.swept.empty()) found.swept = swept_candidates(SearchTask(straight, *on.prepared), searching);
   if (std::optional<Candidate> mixed = mixed_search(task, found, searching); mixed && mixed->works())
     add(std::move(*mixed));
   return out;
 }
 
 std::optional<Plan> RouteLayouts::best_by_usual_prices(const PassesByBoundary& passes) {
+  const auto known =
+      std::ranges::find(by_usual_prices_, passes, &std::pair<PassesByBoundary, std::optional<Plan>>::first);
+  if (known != by_usual_prices_.end()) return known->second;
+  return by_usual_prices_.emplace_back(passes, searched_by_usual_prices(passes)).second;
+}
+
+std::optional<Plan> RouteLayouts::searched_by_usual_prices(const PassesByBoundary& passes) {
   const Behind& on = behind(passes);
   if (!on.prepared || area(on.prepared->ground.plannable) == 0) return std::nullopt;
   PlanningProblem usual = with_straight_tracks(on.problem);

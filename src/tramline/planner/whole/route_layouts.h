@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tramline/planner/headland_choice/headland_trial.h"
@@ -102,10 +103,16 @@ class RouteLayouts {
     PassesByBoundary passes{};
   };
 
+  template <class Found>
+  using ByPasses = std::vector<std::pair<PassesByBoundary, Found>>;
+
   PassesByBoundary no_passes() const;
   /// `problem_` with these passes, and the land behind them.
   Behind prepared_behind(const PassesByBoundary& passes) const;
   const Behind& behind(const PassesByBoundary& passes);
+  /// The straight tracks of least cost behind these passes, looked for once. Precondition: there is land.
+  const SearchResult& straight_on(const Behind& behind);
+  std::optional<Plan> searched_by_usual_prices(const PassesByBoundary& passes);
   std::optional<LaidOut> laid_out_on(const Behind& behind, Alternative kind, const Plan& like) const;
   /// The passes that turns need where the tracks of a layout on the bare field end.
   PassesByBoundary where_tracks_end(const Plan& layout) const;
@@ -121,7 +128,9 @@ class RouteLayouts {
   SearchContext sweeping_;
   int least_passes_ = 0;
   std::vector<std::unique_ptr<const Behind>> kept_;
-  std::vector<PassesByBoundary> searched_;        ///< behind which straight tracks were looked for
+  std::vector<PassesByBoundary> searched_;  ///< behind which straight tracks were asked for
+  ByPasses<SearchResult> straight_;
+  ByPasses<std::optional<Plan>> by_usual_prices_;
   std::vector<PassesByBoundary> curved_;          ///< behind which curves were looked for
   std::optional<PassesByBoundary> first_open_{};  ///< where the tracks of the first layout end, if known
   std::vector<int> obstacle_passes_;              ///< as many as turns need, 0 where all tracks go round
