@@ -113,11 +113,9 @@ class Depths {
     }
     if (!cheaper && !best_comes_near && !(narrow_ && hardly_works(plans_.best_plan()))) return false;
     for (LaidOut& laid : layouts_.searched(passes))
-      if (!has_such(plans_.plans(), laid.trial.draft.plan, passes))
-        cheaper = plans_.improves(std::move(laid)) || cheaper;
+      cheaper = plans_.improves_on_such(std::move(laid)) || cheaper;
     for (LaidOut& laid : layouts_.along_sides(passes))
-      if (!has_such(plans_.plans(), laid.trial.draft.plan, passes))
-        cheaper = plans_.improves(std::move(laid)) || cheaper;
+      cheaper = plans_.improves_on_such(std::move(laid)) || cheaper;
     return cheaper;
   }
 

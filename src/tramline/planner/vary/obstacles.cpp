@@ -35,8 +35,7 @@ void search_behind(RouteComparison& plans, RouteLayouts& layouts, const std::vec
   with.obstacles = obstacles;
   if (plans.has_to_end()) return;
   if (!layouts.has_searched(with))
-    for (LaidOut& laid : layouts.searched(with))
-      if (!has_such(plans.plans(), laid.trial.draft.plan, with)) plans.improves(std::move(laid));
+    for (LaidOut& laid : layouts.searched(with)) plans.improves_on_such(std::move(laid));
   vary_prices(plans, layouts, with);
   if (layouts.looked_for_curves(with)) return;
   for (LaidOut& laid : layouts.along_curves(with)) plans.improves(std::move(laid));

@@ -73,9 +73,8 @@ void vary_curves(RouteComparison& plans, RouteLayouts& layouts) {
 }
 
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes) {
-  const std::optional<Plan> usual = layouts.best_by_usual_prices(passes);
-  if (usual && !has_such(plans.plans(), *usual, passes))
-    plans.improves(layouts.laid_out(Alternative::kSearched, *usual, passes));
+  if (const std::optional<Plan> usual = layouts.best_by_usual_prices(passes))
+    plans.improves_on_such(layouts.laid_out(Alternative::kSearched, *usual, passes));
 }
 
 void vary_compass(RouteComparison& plans, RouteLayouts& layouts) {

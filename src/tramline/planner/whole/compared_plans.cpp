@@ -104,6 +104,13 @@ bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBounda
   });
 }
 
+bool has_such_as_cheap(const ComparedPlans& plans, const ComparedPlan& plan) {
+  return std::ranges::any_of(plans, [&](const ComparedPlan& one) {
+    return (one.floor <= plan.floor || same_floor(one.floor, plan.floor)) && one.passes() == plan.passes() &&
+           same_directions(one.plan(), plan.plan());
+  });
+}
+
 std::optional<std::size_t> same_tracks_priced(const ComparedPlans& plans, const ComparedPlan& plan) {
   const auto same = std::find_if(plans.begin(), plans.end(), [&](const ComparedPlan& one) {
     // Floors have the paths of pieces and their overlap in them: with equal ends these are equal too.

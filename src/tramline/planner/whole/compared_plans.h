@@ -41,6 +41,9 @@ double room_lacked_by_others(const ComparedPlans& plans, const ComparedPlan& pla
 
 /// Whether one of them has these passes and directions.
 bool has_such(const ComparedPlans& plans, const Plan& like, const PassesByBoundary& passes);
+/// Whether one of them has its passes and directions, and no higher a floor: other subfields in the same
+/// directions may cost less.
+bool has_such_as_cheap(const ComparedPlans& plans, const ComparedPlan& plan);
 
 /// The one that has the same tracks behind the same passes as a plan to be compared, to a few centimetres,
 /// and its price: their routes would be about the same. O(plans, and pieces² where floors are about equal).

@@ -110,6 +110,12 @@ bool RouteComparison::improves(std::optional<LaidOut> laid) {
   return laid && improves(add(std::move(*laid)));
 }
 
+bool RouteComparison::improves_on_such(std::optional<LaidOut> laid) {
+  if (!laid) return false;
+  ComparedPlan plan = compared_plan(*std::move(laid));
+  return !has_such_as_cheap(plans_, plan) && improves(add(std::move(plan)));
+}
+
 void RouteComparison::plan_routes(const Share& of_progress) {
   std::vector<std::size_t> order(plans_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

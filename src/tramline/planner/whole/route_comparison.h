@@ -49,6 +49,8 @@ class RouteComparison {
   bool improves(std::size_t i);
   /// Adds it, if there is one, and says the same.
   bool improves(std::optional<LaidOut> laid);
+  /// The same unless one like it is known, has_such_as_cheap().
+  bool improves_on_such(std::optional<LaidOut> laid);
   /// Routes of all that have none, those of the lowest floors first.
   struct Share {
     double from = 0, to = 1;
