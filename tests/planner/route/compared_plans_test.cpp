@@ -113,6 +113,22 @@ ComparedPlan behind(int passes, double direction_deg, std::size_t pieces,
   return out;
 }
 
+// Other subfields in the same directions may have a lower floor: they are not known by one that costs more.
+TEST(HasSuchAsCheap, AsksForPassesDirectionsAndFloor) {
+  const auto with_floor = [](double floor, int passes, double direction_deg) {
+    ComparedPlan out = behind(passes, direction_deg, 3, {});
+    out.floor = floor;
+    return out;
+  };
+  const ComparedPlans plans{with_floor(180, 2, 94)};
+  EXPECT_TRUE(has_such_as_cheap(plans, with_floor(180, 2, 94)));
+  EXPECT_TRUE(has_such_as_cheap(plans, with_floor(181, 2, 94.5)));
+  EXPECT_TRUE(has_such_as_cheap(plans, with_floor(179.99, 2, 94))) << "about the same tracks";
+  EXPECT_FALSE(has_such_as_cheap(plans, with_floor(170, 2, 94)));
+  EXPECT_FALSE(has_such_as_cheap(plans, with_floor(181, 1, 94)));
+  EXPECT_FALSE(has_such_as_cheap(plans, with_floor(181, 2, 97)));
+}
+
 // Two fifths of 20 €; behind two passes, three tracks and what counts as two more cost 50 €, so eight and two
 // in about the same direction cost three fifths of 100 €.
 // Of plans with no more than eleven tracks two fifths of either are expected.
