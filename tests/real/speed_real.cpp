@@ -1,6 +1,7 @@
 // Plans every curated real field on one thread and says what each took and what came of it.
 //
-//   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
+//   speed_real [--all 1] [--every N] [--width W] [--radius R] [--headlands N] [--curved 1] [--only ID]
+//   [--repeat N]
 //              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
 //              [--whole 1] [--prove 1] [--most HECTARES]
 //
@@ -34,7 +35,7 @@ namespace tramline::testing {
 namespace {
 
 struct Request {
-  double width_m = 6;
+  double width_m = 6, radius_m = 6;
   int headlands = 0;
   bool curved = false;
   std::string only;
@@ -132,7 +133,7 @@ Timed timed(const Field& field, const Request& request) {
   try {
     Plan plan;
     for (int i = 0; i < request.repeat; ++i)
-      plan = plan_field(field, {"", request.width_m, 6, -1}, request.prices, settings, 1);
+      plan = plan_field(field, {"", request.width_m, request.radius_m, -1}, request.prices, settings, 1);
     out.seconds = (thread_seconds() - start) / request.repeat;
     out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
                           1e3 * out.seconds, request.whole ? whole_cost(plan).euros() : plan.cost,
@@ -194,6 +195,7 @@ int run(int argc, char** argv) {
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string word = argv[i];
     if (word == "--width") request.width_m = std::atof(argv[i + 1]);
+    if (word == "--radius") request.radius_m = std::atof(argv[i + 1]);
     if (word == "--headlands") request.headlands = std::atoi(argv[i + 1]);
     if (word == "--curved") request.curved = std::atoi(argv[i + 1]) != 0;
     if (word == "--all") request.all = std::atoi(argv[i + 1]) != 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 #include <numbers>
 #include <optional>
@@ -77,6 +78,51 @@ TEST(SmallFields, CostNoMoreThanWithHeadlandsAskedFor) {
   if (testing::case_count(kCases) >= kCases) {
     EXPECT_GT(dearer, 0);
   }
+}
+
+/// Two strips that meet at an angle, each wider or narrower towards its end.
+struct Bend {
+  double long_m = 0, further_m = 0, wide_m = 0, wide_at_end_m = 0, turned_rad = 0;
+};
+
+Field bent_strip(const Bend& bend) {
+  const auto ahead = [](double rad) { return Point{std::cos(rad), std::sin(rad)}; };
+  const double quarter_rad = 0.5 * std::numbers::pi;
+  const Point along = ahead(bend.turned_rad), across = ahead(bend.turned_rad + quarter_rad);
+  const Point middle = ahead(0.5 * bend.turned_rad + quarter_rad);
+  Field out;
+  out.id = "bent strip";
+  out.outer = {{-bend.long_m, 0},
+               {0, 0},
+               bend.further_m * along,
+               bend.further_m * along + bend.wide_at_end_m * across,
+               0.5 * (bend.wide_m + bend.wide_at_end_m) * middle,
+               {-bend.long_m, bend.wide_m}};
+  return out;
+}
+
+void expect_no_dearer_than_asked_for(const Field& field, double share) {
+  const std::optional<double> free = euros_of(field, std::nullopt);
+  for (const int passes : {0, 1}) {
+    const std::optional<double> asked = euros_of(field, passes);
+    if (!asked) continue;
+    ASSERT_TRUE(free);
+    EXPECT_LE(*free, share * *asked) << passes;
+  }
+}
+
+// Without headlands, or with passes where tracks end, curves along one of two parts cost half as much as what
+// straight tracks alone do.
+TEST(SmallFields, FollowBendsWhereNoHeadlandPays) {
+  for (const Bend& bend : {Bend{67.1, 45, 49.9, 63.7, 0.778}, Bend{46.3, 54.7, 52.4, 45.3, 0.267}})
+    expect_no_dearer_than_asked_for(bent_strip(bend), 1.005);
+  for_each_seed(6, [](std::mt19937_64& random, int) {
+    const auto wide_m = [&] { return uniform(random, 20, 70); };
+    const auto long_m = [&] { return uniform(random, 40, 110); };
+    const double first_m = long_m(), second_m = long_m(), begin_m = wide_m(), end_m = wide_m();
+    const Bend bend{first_m, second_m, begin_m, end_m, uniform(random, 0.08, 0.9)};
+    expect_no_dearer_than_asked_for(bent_strip(bend), 1.02);
+  });
 }
 
 /// With a ditch 4 m wide from near its western edge so far to the east.

@@ -50,9 +50,14 @@ class Depths {
         const PassesByBoundary round = layouts_.all_round(passes, obstacles);
         improves_with(round);
         if (narrow_) vary_prices(plans_, layouts_, round);
-        if (passes > 0) continue;
-        for (LaidOut& laid : layouts_.along_sides(round)) plans_.improves(std::move(laid));
+        if (passes == 0) try_without_passes(round);
       }
+  }
+
+  void try_without_passes(const PassesByBoundary& none) {
+    for (LaidOut& laid : layouts_.along_sides(none)) plans_.improves(std::move(laid));
+    if (layouts_.looked_for_curves(none)) return;
+    for (LaidOut& laid : layouts_.along_curves(none)) plans_.improves(std::move(laid));
   }
 
   /// Deep passes may leave no room for headlands between them and an obstacle that tracks go round.

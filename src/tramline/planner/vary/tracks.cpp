@@ -67,9 +67,13 @@ void vary_directions(RouteComparison& plans, RouteLayouts& layouts) {
 
 void vary_curves(RouteComparison& plans, RouteLayouts& layouts) {
   assert(plans.has_best());
-  const PassesByBoundary passes = plans.best().passes;
-  if (layouts.looked_for_curves(passes)) return;
-  for (LaidOut& laid : layouts.along_curves(passes)) plans.improves(std::move(laid));
+  std::vector<PassesByBoundary> behind{plans.best().passes};
+  if (hardly_works(plans.best_plan()))
+    for (const std::size_t of : best_of_each_depth(plans.plans(), plans.least_price()))
+      behind.push_back(plans.plans()[of].passes());
+  for (const PassesByBoundary& passes : behind)
+    if (!layouts.looked_for_curves(passes))
+      for (LaidOut& laid : layouts.along_curves(passes)) plans.improves(std::move(laid));
 }
 
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes) {

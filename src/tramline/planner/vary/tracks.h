@@ -9,7 +9,8 @@ namespace tramline {
 /// vary_grids(): there is a plan.
 void vary_directions(RouteComparison& plans, RouteLayouts& layouts);
 
-/// Curves are looked for behind the passes of the best plan, unless they were. Precondition: there is one.
+/// Curves are looked for behind the passes of the best plan, unless they were; where it hardly works the
+/// field behind those of the next best as well. Precondition: there is one.
 void vary_curves(RouteComparison& plans, RouteLayouts& layouts);
 
 /// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what

@@ -224,8 +224,7 @@ std::vector<LaidOut> RouteLayouts::along_curves(const PassesByBoundary& passes) 
   };
   const SearchContext searching = sweeping_.uncounted();
   std::optional<Candidate> along = along_best_edge(task, searching);
-  if (!along) return {};
-  if (along->works()) add(std::move(*along));
+  if (along && along->works()) add(std::move(*along));
   SearchResult found = straight_on(on);
   const PlanningProblem straight = with_straight_tracks(on.problem);
   if (found.swept.empty()) found.swept = swept_candidates(SearchTask(straight, *on.prepared), searching);

@@ -73,7 +73,7 @@ class RouteLayouts {
 
   /// Tracks along curves behind these passes, where the settings leave their shape to the planner: those of
   /// least cost along edges of the land there, and those in some parts of it where that costs less than
-  /// straight ones. None where no edge is a curve.
+  /// straight ones. None where no edge of the land and of its parts is a curve.
   std::vector<LaidOut> along_curves(const PassesByBoundary& passes);
   /// Whether curves behind these passes were asked for, or need not be.
   bool looked_for_curves(const PassesByBoundary& passes) const;
