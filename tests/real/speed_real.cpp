@@ -1,8 +1,8 @@
 // Plans every curated real field on one thread and says what each took and what came of it.
 //
 //   speed_real [--all 1] [--every N] [--width W] [--radius R] [--headlands N] [--curved 1] [--only ID]
-//   [--repeat N]
-//              [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1] [--obstacles 1]
+//              [--repeat N] [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1]
+//              [--obstacles 1]
 //              [--whole 1] [--prove 1] [--most HECTARES]
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with

@@ -56,8 +56,7 @@ class Depths {
 
   void try_without_passes(const PassesByBoundary& none) {
     for (LaidOut& laid : layouts_.along_sides(none)) plans_.improves(std::move(laid));
-    if (layouts_.looked_for_curves(none)) return;
-    for (LaidOut& laid : layouts_.along_curves(none)) plans_.improves(std::move(laid));
+    vary_curves_behind(plans_, layouts_, none);
   }
 
   /// Deep passes may leave no room for headlands between them and an obstacle that tracks go round.

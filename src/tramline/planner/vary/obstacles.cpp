@@ -37,8 +37,7 @@ void search_behind(RouteComparison& plans, RouteLayouts& layouts, const std::vec
   if (!layouts.has_searched(with))
     for (LaidOut& laid : layouts.searched(with)) plans.improves_on_such(std::move(laid));
   vary_prices(plans, layouts, with);
-  if (layouts.looked_for_curves(with)) return;
-  for (LaidOut& laid : layouts.along_curves(with)) plans.improves(std::move(laid));
+  vary_curves_behind(plans, layouts, with);
 }
 
 std::vector<int> one_round_each(std::vector<int> needed) {

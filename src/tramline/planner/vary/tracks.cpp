@@ -71,9 +71,12 @@ void vary_curves(RouteComparison& plans, RouteLayouts& layouts) {
   if (hardly_works(plans.best_plan()))
     for (const std::size_t of : best_of_each_depth(plans.plans(), plans.least_price()))
       behind.push_back(plans.plans()[of].passes());
-  for (const PassesByBoundary& passes : behind)
-    if (!layouts.looked_for_curves(passes))
-      for (LaidOut& laid : layouts.along_curves(passes)) plans.improves(std::move(laid));
+  for (const PassesByBoundary& passes : behind) vary_curves_behind(plans, layouts, passes);
+}
+
+void vary_curves_behind(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes) {
+  if (layouts.looked_for_curves(passes)) return;
+  for (LaidOut& laid : layouts.along_curves(passes)) plans.improves(std::move(laid));
 }
 
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes) {

@@ -13,6 +13,9 @@ void vary_directions(RouteComparison& plans, RouteLayouts& layouts);
 /// field behind those of the next best as well. Precondition: there is one.
 void vary_curves(RouteComparison& plans, RouteLayouts& layouts);
 
+/// Curves are looked for behind these passes, unless they were.
+void vary_curves_behind(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes);
+
 /// The search for tracks prices a turn like the quickest one; what turns come to, only routes show. So what
 /// is best by the usual prices is laid out behind these passes, too.
 void vary_prices(RouteComparison& plans, RouteLayouts& layouts, const PassesByBoundary& passes);
