@@ -146,5 +146,24 @@ TEST(LeastBeyondFloor, GrowsWithTheTracksOfPlansInTheSameDirectionBehindTheSameP
   EXPECT_DOUBLE_EQ(least_beyond_floor(plans, curved), 0.4 * 8);
 }
 
+// Two grids cost 10 € and 12 € for each track and what counts as two more: 18 and two cost at least 170 €.
+// Two fifths of the 140 € of one are expected in any case, and of few tracks two fifths of that.
+TEST(LeastBeyondFloor, IsKnownOfMovedGridsAsSoonAsTwoHaveTheirRoutes) {
+  const auto moved = [](int passes, double direction_deg, std::size_t pieces,
+                        std::optional<double> beyond_floor) {
+    ComparedPlan out = behind(passes, direction_deg, pieces, beyond_floor);
+    out.laid.kind = Alternative::kMovedLines;
+    return out;
+  };
+  ComparedPlans plans{moved(2, 0, 12, 140)};
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, moved(2, 60, 18, {})), 0.4 * 140) << "one is not enough";
+  plans.push_back(moved(2, 30, 10, 144));
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, moved(2, 60, 18, {})), 0.85 * 20 * 10);
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, moved(3, 60, 18, {})), 0.4 * 140) << "other passes";
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, behind(2, 60, 18, {})), 0.4 * 140) << "not moved";
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, moved(2, 60, 33, {})), 0.4 * 140) << "many tracks";
+  EXPECT_DOUBLE_EQ(least_beyond_floor(plans, moved(2, 60, 11, {})), 0.4 * 0.4 * 140) << "few tracks";
+}
+
 }  // namespace
 }  // namespace tramline

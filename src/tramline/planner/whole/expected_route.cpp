@@ -21,6 +21,12 @@ constexpr double kOfFewest = 0.4;
 /// Of more tracks the ways between them differ too much for those of one plan to tell of another.
 constexpr std::size_t kFewPieces = 32;
 
+/// Of grids in other directions behind the same passes, as soon as so many have routes, hardly any costs less
+/// beyond its floor than this part of the least of them; not of the fewest tracks, of which some cost half as
+/// much.
+constexpr double kOfMoved = 0.85;
+constexpr int kFewestMoved = 2;
+
 /// Passes, and the ways to them and from gates, cost beyond the floor as much as so many tracks.
 constexpr double kBesideTracks = 2;
 
@@ -46,20 +52,33 @@ bool are_alike(const ComparedPlan& a, const ComparedPlan& b) {
          in_directions_of(b.plan(), a.plan());
 }
 
+/// Whether both are grids that have been moved behind the same passes.
+bool are_moved(const ComparedPlan& a, const ComparedPlan& b) {
+  return a.laid.kind == Alternative::kMovedLines && b.laid.kind == Alternative::kMovedLines &&
+         a.passes() == b.passes();
+}
+
 }  // namespace
 
 double least_beyond_floor(const ComparedPlans& plans, const ComparedPlan& plan) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  double of_any = kNone, of_alike = kNone;
+  double of_any = kNone, of_alike = kNone, of_moved = kNone;
+  const bool has_fewest = plan.plan().pieces.size() <= kFewest;
+  int moved = 0;
   for (const ComparedPlan& other : plans) {
     if (!other.beyond_floor) continue;
     of_any = std::min(of_any, *other.beyond_floor);
-    if (has_few_pieces(plan) && are_alike(plan, other))
-      of_alike = std::min(of_alike, *other.beyond_floor * size_of(plan) / size_of(other));
+    if (!has_few_pieces(plan)) continue;
+    const double as_large = *other.beyond_floor * size_of(plan) / size_of(other);
+    if (are_alike(plan, other)) of_alike = std::min(of_alike, as_large);
+    if (has_fewest || !are_moved(plan, other)) continue;
+    of_moved = std::min(of_moved, as_large);
+    ++moved;
   }
   const auto part_of = [](double part, double least) { return least == kNone ? 0.0 : part * least; };
-  const double share = plan.plan().pieces.size() <= kFewest ? kOfFewest : 1;
-  return share * std::max(part_of(kOfAny, of_any), part_of(kOfAlike, of_alike));
+  const double share = has_fewest ? kOfFewest : 1;
+  const double of_others = share * std::max(part_of(kOfAny, of_any), part_of(kOfAlike, of_alike));
+  return moved < kFewestMoved ? of_others : std::max(of_others, part_of(kOfMoved, of_moved));
 }
 
 }  // namespace tramline
