@@ -177,6 +177,20 @@ TEST(SmallFields, NothingIsToldOfThatCostsLessThanThePlan) {
   });
 }
 
+// What keeps within the boundary may be driven where it may be passed as well.
+TEST(SmallFields, CostNoMoreWhereTracksMayPassTheBoundary) {
+  Machine machine;
+  machine.width_m = 9;
+  machine.radius_m = 6;
+  for_each_seed(16, [&](std::mt19937_64& random, int) {
+    const Field field = small_field(random);
+    PlanSettings settings = planned_whole(std::nullopt);
+    const double hard = whole_cost(plan_field(field, machine, {}, settings)).euros();
+    settings.boundary = EdgeKind::kSoft;
+    EXPECT_LE(whole_cost(plan_field(field, machine, {}, settings)).euros(), 1.02 * hard);
+  });
+}
+
 /// With twelve equal sides, so far from its middle.
 Field dodecagon(double apothem_m) {
   Field out;

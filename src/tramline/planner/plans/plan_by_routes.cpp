@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
+#include "tramline/planner/whole/plan_faults.h"
+#include "tramline/planner/whole/route_alternative.h"
 
 namespace tramline {
 namespace {
@@ -86,10 +89,8 @@ Plan without_tracks(const PlanningProblem& problem) {
   return out;
 }
 
-}  // namespace
-
-ExplainedPlan plan_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
-  assert(compares_routes(asked.settings));
+/// Of the boundary that was asked for.
+ExplainedPlan planned_as_asked(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
   const PlanningProblem problem = with_track_prices(asked);
   // Of the time that a plan takes, over real fields about so much goes by until routes are compared.
   constexpr double kLaidOut = 0.15;
@@ -116,6 +117,48 @@ ExplainedPlan plan_by_routes(const PlanningProblem& asked, const SearchContext& 
   const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
   ComparedRoutes compared = cheapest_route(problem, layouts, room_for_turns, compare, comparing);
   return {std::move(compared.plan), std::nullopt, std::move(compared.all)};
+}
+
+/// Whether a plan whose tracks may pass the boundary has so little room that one within it may cost less:
+/// tracks that keep within it can be left forward, and those beside it are given up.
+bool may_cost_less_within(const Plan& plan) {
+  return backs_out(plan) || hardly_works(plan) || whole_cost(plan).without_room > 0;
+}
+
+/// The plan of less cost, the first where both cost the same, which tells of what either was compared with.
+ExplainedPlan cheaper_of(ExplainedPlan a, ExplainedPlan b) {
+  if (whole_cost(b.plan).euros() < whole_cost(a.plan).euros()) std::swap(a, b);
+  std::vector<RouteAlternative>& all = a.routes;
+  all.insert(all.end(), b.routes.begin(), b.routes.end());
+  if (!all.empty())
+    std::stable_sort(all.begin() + 1, all.end(), [](const RouteAlternative& x, const RouteAlternative& y) {
+      return x.cost.euros() < y.cost.euros();
+    });
+  all = without_alike(all);
+  return a;
+}
+
+ExplainedPlan or_within_boundary(ExplainedPlan plan, PlanningProblem problem, const SearchContext& context,
+                                 Explain explain) {
+  problem.settings.boundary = EdgeKind::kHard;
+  ExplainedPlan within;
+  try {
+    within = planned_as_asked(problem, context.uncounted(), explain);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
+    return plan;  // no track fits
+  }
+  return cheaper_of(std::move(plan), std::move(within));
+}
+
+}  // namespace
+
+ExplainedPlan plan_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
+  assert(compares_routes(asked.settings));
+  ExplainedPlan out = planned_as_asked(asked, context, explain);
+  if (asked.settings.boundary == EdgeKind::kHard || context.has_to_end() || !may_cost_less_within(out.plan))
+    return out;
+  return or_within_boundary(std::move(out), asked, context, explain);
 }
 
 }  // namespace tramline

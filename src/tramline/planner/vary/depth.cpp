@@ -31,7 +31,10 @@ class Depths {
       try_all();
       return;
     }
-    if (narrow_ && !all_round(plans_.best().passes)) return;
+    if (narrow_ && !all_round(plans_.best().passes)) {
+      vary_from(layouts_.least_passes(), -1);
+      return;
+    }
     const int alone = layouts_.passes_alone();
     if (alone > 0 && improves_with_passes(alone)) {
       vary_from(alone, -1);
