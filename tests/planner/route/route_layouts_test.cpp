@@ -6,8 +6,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "planner/route/strip.h"
+#include "properties/draws.h"
+#include "properties/seeds.h"
 #include "tramline/planner/plans/cheapest_route.h"
 
 namespace tramline {
@@ -71,6 +74,44 @@ TEST(RouteLayouts, KnowBehindWhichPassesCurvesWereLookedFor) {
   EXPECT_FALSE(tried.looked_for_curves(tried.all_round(1, {})));
   problem.settings.headland_rule = HeadlandRule::kPasses;
   EXPECT_TRUE(RouteLayouts(problem, layouts, SearchContext(1)).looked_for_curves(tried.all_round(1, {})));
+}
+
+/// A strip of two arms that meet at an angle.
+Field elbow(std::mt19937_64& random) {
+  const double wide_m = uniform(random, 50, 90), long_m = uniform(random, 60, 140);
+  const double turned_rad = uniform(random, 0.2, 0.9);
+  const Point along{std::cos(turned_rad), std::sin(turned_rad)}, across{-along.y, along.x};
+  Field out;
+  out.id = "elbow";
+  out.outer = {{-long_m, 0},
+               {0, 0},
+               long_m * along,
+               long_m * along + wide_m * across,
+               {-0.2 * wide_m, wide_m},
+               {-long_m, 0.8 * wide_m}};
+  return out;
+}
+
+// Subfields of a division are priced by themselves. Laid out anew they know of one another.
+TEST(RouteLayouts, LayCurvesOutAsWellAsTheyKnow) {
+  testing::for_each_seed(20, [](std::mt19937_64& random, int) {
+    Machine machine = testing::strip_machine();
+    machine.width_m = 18;
+    PlanSettings settings;
+    settings.boundary = EdgeKind::kHard;
+    settings.shape = TrackShape::kAuto;
+    settings.headland_rule = HeadlandRule::kTurns;
+    const PlanningProblem problem = with_track_prices(planning_problem(elbow(random), machine, {}, settings));
+    const std::vector<Plan> layouts = one_layout(problem);
+    RouteLayouts tried(problem, layouts, SearchContext(1));
+    const PassesByBoundary none = tried.all_round(0, {});
+    for (const LaidOut& laid : tried.along_curves(none)) {
+      const Plan& plan = laid.trial.draft.plan;
+      const auto anew = tried.laid_out(Alternative::kSearched, plan, none);
+      ASSERT_TRUE(anew);
+      EXPECT_LE(plan.cost, anew->trial.draft.plan.cost + 1e-9) << plan.subfields.size();
+    }
+  });
 }
 
 // One pass leaves 28 of 40 m to tracks, two leave 16.

@@ -228,8 +228,12 @@ std::vector<LaidOut> RouteLayouts::along_curves(const PassesByBoundary& passes) 
   SearchResult found = straight_on(on);
   const PlanningProblem straight = with_straight_tracks(on.problem);
   if (found.swept.empty()) found.swept = swept_candidates(SearchTask(straight, *on.prepared), searching);
-  if (std::optional<Candidate> mixed = mixed_search(task, found, searching); mixed && mixed->works())
+  if (std::optional<Candidate> mixed = mixed_search(task, found, searching); mixed && mixed->works()) {
     add(std::move(*mixed));
+    // Its subfields were priced by themselves; laid anew they know of one another.
+    std::optional<LaidOut> anew = laid_out_on(on, Alternative::kSearched, out.back().trial.draft.plan);
+    if (anew && anew->trial.draft.plan.cost < out.back().trial.draft.plan.cost) out.back() = std::move(*anew);
+  }
   return out;
 }
 
