@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "headland/drawn_headlands.h"
@@ -72,6 +73,29 @@ TEST(Headland, GoesThroughANeckBesideABoundaryThatHardlyBends) {
   const double corners = 2 * kPi * 6;
   EXPECT_NEAR(length(headland.passes[0].path), 2 * (200 - 24 + 100 - 24) + corners, 1e-3);
   EXPECT_NEAR(length(headland.passes[1].path), 2 * (4 + 6.1) + corners, 1e-3);
+}
+
+Ring turned(const Ring& ring, double by_rad) {
+  Ring out;
+  for (const Point& p : ring)
+    out.push_back(
+        {std::cos(by_rad) * p.x - std::sin(by_rad) * p.y, std::sin(by_rad) * p.x + std::cos(by_rad) * p.y});
+  return out;
+}
+
+// An arm of 23 m: two passes lie beside one another there, between which the machine cannot turn. However the
+// land is turned and wherever its outline begins, they are found.
+TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
+  const Ring outline{{0, 0}, {60, 3}, {62, 47}, {160, 45}, {160, 68}, {-2, 70}};
+  const HeadlandAndBody first = made(field_of(outline), {12, 6, 1, {}});
+  EXPECT_LT(first.uncovered_m2, 400) << "the arm has 2300 m²";
+  for (std::size_t begin = 0; begin < outline.size(); ++begin)
+    for (int i = 0; i < 12; ++i) {
+      Ring ring = turned(outline, 0.5 * i);
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(begin), ring.end());
+      const HeadlandAndBody same = made(field_of(std::move(ring)), {12, 6, 1, {}});
+      EXPECT_NEAR(same.uncovered_m2, first.uncovered_m2, 1) << begin << ' ' << i;
+    }
 }
 
 // The corridor bends twice: outside the machine rounds the corner, inside it swings wide.

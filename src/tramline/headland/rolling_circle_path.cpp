@@ -82,9 +82,13 @@ std::optional<Touch> first_that_fits(const std::vector<Touch>& found, const ArcF
   return first == found.end() ? std::nullopt : std::optional(*first);
 }
 
+/// Of a part of a curve that long by its own measure.
+double length_m(const OffsetCurve& curve, double extent) {
+  return curve.straight() ? extent : extent * curve.radius;
+}
+
 double length_m(const CentreLine& centre_line) {
-  return centre_line.curve.straight() ? centre_line.curve.extent
-                                      : centre_line.curve.extent * centre_line.curve.radius;
+  return length_m(centre_line.curve, centre_line.curve.extent);
 }
 
 /// The stages of a ring, repeated three times, and a walk along them.
@@ -95,36 +99,49 @@ class Walk {
       : fits_(fits), most_skipped_m_(most_skipped_m) {
     std::size_t centre_line = start;
     do {
+      ring_.push_back(centre_line);
       stages_.push_back({&centre_lines[centre_line], 0, centre_lines[centre_line].curve.extent});
       centre_line = centre_lines[centre_line].next;
     } while (centre_line != start);
-    round_ = stages_.size();
+    round_ = ring_.size();
     for (int i = 0; i < 2; ++i)
       stages_.insert(stages_.end(), stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(round_));
   }
 
-  /// Goes round once from a stage. Returns the stage behind the first kink that ended a way; nullopt where
-  /// there was none.
-  std::optional<std::size_t> go(std::size_t from, std::vector<OffsetRing>& ways) const {
-    std::optional<std::size_t> behind_first;
-    OffsetRing now;
+  /// The part of a stage along which the circle rolls.
+  struct Stretch {
+    std::size_t on = 0;  ///< number of the stage
+    double first = 0;
+    double last = 0;
+  };
+  struct Walked {
+    std::vector<std::vector<Stretch>> ways{{}};  ///< a new one behind each kink
+    std::optional<std::size_t> behind_kink{};    ///< the stage behind the first kink that ended a way
+  };
+
+  /// Goes round once or twice. Precondition: from a stage of the first round, twice from the first stage
+  /// only.
+  Walked go(std::size_t from, std::size_t rounds) const {
+    Walked out;
     double at = 0;
-    for (std::size_t on = from; on < from + round_;) {
+    for (std::size_t on = from; on < from + rounds * round_;) {
       const std::optional<Touch> next = first_that_fits(touches(stages_, on, at, reach_from(on)), fits_);
       const double end = next ? next->here : stages_[on].last;
-      if (end > at) now.push_back(piece_between(*stages_[on].centre_line, at, end));
+      if (end > at) out.ways.back().push_back({on, at, end});
       if (!next && !stages_[on].centre_line->straight_on) {
-        if (!behind_first) behind_first = on + 1;
-        ways.push_back(std::move(now));
-        now.clear();
+        if (!out.behind_kink) out.behind_kink = on + 1;
+        out.ways.emplace_back();
       }
       at = next ? next->there : 0;
       on = next ? next->stage : on + 1;
     }
-    ways.push_back(std::move(now));
-    std::erase_if(ways, [](const OffsetRing& way) { return way.empty(); });
-    return behind_first;
+    return out;
   }
+
+  /// The number of stages.
+  std::size_t round() const { return round_; }
+  /// Index of the centre line.
+  std::size_t centre_line_of(const Stretch& stretch) const { return ring_[stretch.on % round_]; }
 
  private:
   /// The first stage too far ahead to be reached from this one.
@@ -139,6 +156,7 @@ class Walk {
   const ArcFits& fits_;
   double most_skipped_m_;
   std::size_t round_ = 0;
+  std::vector<std::size_t> ring_;
   std::vector<Stage> stages_;
 };
 
@@ -193,16 +211,31 @@ RollingCirclePaths rolling_circle_paths(const std::vector<CentreLine>& centre_li
                                         const ArcFits& fits, double most_skipped_m) {
   const Walk walk(centre_lines, start, fits, most_skipped_m);
   RollingCirclePaths out;
-  const std::optional<std::size_t> behind_kink = walk.go(0, out.open);
-  if (behind_kink) {
-    out.open.clear();
-    walk.go(*behind_kink, out.open);
+  // In the first round the circle has not come to where it begins yet, and may not get there.
+  const Walk::Walked twice = walk.go(0, 2);
+  if (twice.behind_kink) {
+    for (const std::vector<Walk::Stretch>& way : walk.go(*twice.behind_kink % walk.round(), 1).ways) {
+      OffsetRing ring;
+      for (const Walk::Stretch& stretch : way)
+        ring.push_back(
+            piece_between(centre_lines[walk.centre_line_of(stretch)], stretch.first, stretch.last));
+      if (!ring.empty()) out.open.push_back(std::move(ring));
+    }
     return out;
   }
-  out.open.clear();
-  const double extent = centre_lines[start].curve.extent, from = 0.4 * extent, to = 0.6 * extent;
-  out.closed = rolling_circle_path(centre_lines, {start, to}, {start, from}, fits);
-  if (out.closed) out.closed->push_back(piece_between(centre_lines[start], from, to));
+  // Where it passes for sure: on the way of the second round, and best not near its ends.
+  const std::vector<Walk::Stretch>& way = twice.ways.front();
+  const auto length_in_second_round_m = [&](const Walk::Stretch& stretch) {
+    if (stretch.on < walk.round()) return 0.0;
+    return length_m(centre_lines[walk.centre_line_of(stretch)].curve, stretch.last - stretch.first);
+  };
+  const auto longest = std::ranges::max_element(way, {}, length_in_second_round_m);
+  if (longest == way.end()) return out;
+  const std::size_t line = walk.centre_line_of(*longest);
+  const double from = std::lerp(longest->first, longest->last, 0.4);
+  const double to = std::lerp(longest->first, longest->last, 0.6);
+  out.closed = rolling_circle_path(centre_lines, {line, to}, {line, from}, fits);
+  if (out.closed) out.closed->push_back(piece_between(centre_lines[line], from, to));
   return out;
 }
 
