@@ -58,8 +58,8 @@ Path without_first_hook(Path path, double shortest_m) {
 
 }  // namespace
 
-std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                        int number) {
+std::vector<std::vector<Path>> edge_following_passes(const std::vector<Boundary>& boundaries,
+                                                     const HeadlandTerms& terms, int number) {
   const TurningRoom land = turning_room(boundaries, terms.width_m, number, tightest_turn_m(terms));
   const std::vector<CentreLine> centre_lines = centre_lines_along(offset_lines(land), land.radius_m);
   const ArcFits fits = [&](Point centre, Point before, Point after) {
@@ -67,23 +67,27 @@ std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries,
   };
   std::vector<SwathLimit> limits;
   for (const Boundary& boundary : boundaries) limits.push_back({boundary.ring, boundary.clearance_m});
-  std::vector<Path> out;
+  std::vector<std::vector<Path>> out;
   for (const std::size_t start : rings_to_follow(centre_lines, boundaries, number)) {
     const RollingCirclePaths ways =
         rolling_circle_paths(centre_lines, start, fits, land.radius_m + terms.width_m);
     if (ways.closed && can_be_driven(closed_path(*ways.closed, land.radius_m), land))
-      out.push_back(closed_path(*ways.closed, land.radius_m));
+      out.push_back({closed_path(*ways.closed, land.radius_m)});
     for (const OffsetRing& way : ways.open) {
       Path path = open_path(way, land.radius_m);
       if (path.empty() || !keeps_off(path, land.offset_boundaries)) continue;
       const double hook_m = land.radius_m + terms.width_m;
-      path = without_first_hook(without_hook(std::move(path), hook_m), hook_m);
-      out.push_back(driven_to_the_end(std::move(path), limits, terms.width_m, hook_m));
+      const auto to_the_end = [&](Path part) {
+        return driven_to_the_end(std::move(part), limits, terms.width_m, hook_m);
+      };
+      Path straight = without_first_hook(without_hook(path, hook_m), hook_m);
+      out.push_back({to_the_end(straight)});
+      if (straight.size() < path.size()) out.back().push_back(to_the_end(std::move(path)));
     }
   }
   // The long ones beside an end already work what short ones across it would.
   std::stable_sort(out.begin(), out.end(),
-                   [](const Path& a, const Path& b) { return length(a) > length(b); });
+                   [](const auto& a, const auto& b) { return length(a.front()) > length(b.front()); });
   return out;
 }
 

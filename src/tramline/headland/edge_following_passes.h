@@ -10,10 +10,11 @@ namespace tramline {
 
 /// Paths that follow all boundaries together at the distance of pass `number`, wherever there is room for its
 /// swath, whether or not the machine could turn there: closed, or open where it cannot get round a corner.
-/// Open paths go straight on until their swaths reach a boundary. Offset lines that follow no boundary with
-/// such a pass are left out. Together the paths follow the whole offset line except for corners cut; the
-/// longest come first. O(n²) for n corners.
-std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                        int number);
+/// Open paths go straight on until their swaths reach a boundary. Each is given in the ways in which it may
+/// be driven: one with a corner close to an end is given straight on before it first, and then round it.
+/// Offset lines that follow no boundary with such a pass are left out. Together the paths follow the whole
+/// offset line except for corners cut; the longest come first. O(n²) for n corners.
+std::vector<std::vector<Path>> edge_following_passes(const std::vector<Boundary>& boundaries,
+                                                     const HeadlandTerms& terms, int number);
 
 }  // namespace tramline

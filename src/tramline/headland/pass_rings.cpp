@@ -1,11 +1,13 @@
 #include "tramline/headland/pass_rings.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tramline/headland/clear_stretches.h"
 #include "tramline/headland/drivable_rings.h"
 #include "tramline/headland/edge_following_passes.h"
 #include "tramline/headland/ring_groups.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -82,7 +84,9 @@ class Chosen {
   /// Adds the parts worth driving of a path that was not required, if they pay.
   void choose_if_it_pays(const Path& path) {
     const std::vector<Path> parts = worth_driving(path, scene_.to_work, all_, scene_.least_length_m());
-    if (tramline::worth_m2(parts, scene_.to_work, all_) <= 0) return;
+    const double parts_m2 = tramline::worth_m2(parts, scene_.to_work, all_);
+    if (parts_m2 <= 0) return;
+    paid_m2_ += parts_m2;
     for (const Path& part : parts) all_.push_back(pass_on(part, scene_));
   }
   void choose(const std::vector<HeadlandPass>& rings, const std::vector<OffsetBoundary>& in_the_way) {
@@ -101,6 +105,8 @@ class Chosen {
   double worth_m2() const {
     return tramline::worth_m2(parts_, scene_.to_work, {all_.begin(), begin_of_own()});
   }
+  /// What those chosen because they pay are worth.
+  double paid_m2() const { return paid_m2_; }
   std::vector<HeadlandPass> own() const { return {begin_of_own(), all_.end()}; }
   const std::vector<HeadlandPass>& all() const { return all_; }
 
@@ -123,6 +129,7 @@ class Chosen {
   std::size_t first_;
   std::vector<Path> parts_;
   bool all_whole_ = true;
+  double paid_m2_ = 0;
 };
 
 enum class Reach { kField, kEverything };
@@ -155,6 +162,36 @@ std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scen
   return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
+/// Passes, and what those of them are worth that were chosen because they pay.
+struct Paying {
+  std::vector<HeadlandPass> all;
+  double paid_m2 = 0;
+};
+
+/// The passes before, and those along edges where the machine has no room to turn. Which way of driving a
+/// path is better depends on what the others work: it is the first, unless all together are worth more with
+/// another.
+std::vector<HeadlandPass> with_passes_along_edges(const std::vector<std::vector<Path>>& paths,
+                                                  const Scene& scene,
+                                                  const std::vector<HeadlandPass>& before) {
+  std::vector<std::size_t> ways(paths.size(), 0);
+  const auto chosen = [&] {
+    Chosen out(scene, before);
+    for (std::size_t i = 0; i < paths.size(); ++i) out.choose_if_it_pays(paths[i][ways[i]]);
+    return Paying{out.all(), out.paid_m2()};
+  };
+  Paying best = chosen();
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t way = 1; way < paths[i].size(); ++way) {
+      const std::size_t kept = std::exchange(ways[i], way);
+      if (Paying other = chosen(); other.paid_m2 > best.paid_m2 + kNoGain_m2)
+        best = std::move(other);
+      else
+        ways[i] = kept;
+    }
+  return best.all;
+}
+
 /// The passes in parts that do not cross themselves: rings through narrow land may, and no machine drives
 /// that.
 std::vector<HeadlandPass> without_crossings(const std::vector<HeadlandPass>& passes, const Scene& scene) {
@@ -182,12 +219,10 @@ std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, co
     const std::vector<HeadlandPass> more = passes_round(group, scene, all);
     all.insert(all.end(), more.begin(), more.end());
   }
-  Chosen chosen(scene, std::move(all));
   // Farther in, land left by turning is left to tracks.
   if (number == 1)
-    for (const Path& path : edge_following_passes(boundaries, terms, number)) chosen.choose_if_it_pays(path);
-  return without_crossings(
-      {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()}, scene);
+    all = with_passes_along_edges(edge_following_passes(boundaries, terms, number), scene, all);
+  return without_crossings({all.begin() + static_cast<std::ptrdiff_t>(before.size()), all.end()}, scene);
 }
 
 }  // namespace tramline
