@@ -77,6 +77,8 @@ TEST(KinkedLine, KnowsKinks) {
   EXPECT_FALSE(has_kinks({{{100, 0}, {0, 100}, 0.01}}));
   EXPECT_TRUE(has_kinks(polyline_path({{0, 0}, {5, 5}, {8, 8.1}})));
   EXPECT_TRUE(has_kinks(polyline_path({{0, 0}, {5, 0}, {0, 0}})));
+  EXPECT_FALSE(has_kinks(polyline_path({{0, 0}, {1e-6, 1e-14}, {25, 0}}))) << "rounding, 1e-8 rad";
+  EXPECT_TRUE(has_kinks(polyline_path({{0, 0}, {1e-6, 1e-6}, {25, 0}})));
 }
 
 // One kink: together the mitred band, of the area w·L; the flat bands of its legs lack the kite outside.

@@ -83,7 +83,10 @@ bool has_kinks(const Path& path) {
   if (!std::all_of(path.begin(), path.end(), [](const PathSegment& s) { return s.straight(); })) return false;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Point a = direction_at_start(path[i]), b = direction_at_start(path[i + 1]);
-    if (std::abs(cross(a, b)) > kLeastKink_rad || dot(a, b) < 0) return true;
+    const double sine = std::abs(cross(a, b));
+    // The rounding of its ends turns a segment of a micrometre by more than the least kink.
+    const double aside_m = sine * std::min(length(path[i]), length(path[i + 1]));
+    if ((sine > kLeastKink_rad && aside_m > kShortest_m) || dot(a, b) < 0) return true;
   }
   return false;
 }

@@ -13,7 +13,8 @@ Path polyline_path(const std::vector<Point>& points);
 /// The inverse. Precondition: all segments straight.
 std::vector<Point> vertices_of(const Path& path);
 
-/// Whether a path has straight segments only, two of which meet at an angle of more than kLeastKink_rad.
+/// Whether a path has straight segments only, two of which meet at an angle of more than kLeastKink_rad, by
+/// which the shorter one leads aside by more than kShortest_m.
 bool has_kinks(const Path& path);
 
 /// The area of a swath along a path of straight segments (Π of Zhou §2.2), a convex quadrilateral for each,
