@@ -203,5 +203,56 @@ TEST(HeadlandProperties, HoldWhereThereAreNecks) {
   EXPECT_GT(10 * through, case_count(30)) << "the fields have too few narrow passages";
 }
 
+/// A room with arms in which one or two swaths lie beside one another, and that end blindly.
+Field with_arms(std::mt19937_64& random, double width_m, double radius_m) {
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const double room = (radius_m + width_m) * between(2, 4);
+  double heading = between(0, 2);
+  Ring middle;
+  for (int k = 0; k < 7; ++k)
+    middle.push_back(room * between(0.9, 1.3) * Point{std::cos(k * 0.9), std::sin(k * 0.9)});
+  Region parts{{middle, {}}};
+  for (int i = std::uniform_int_distribution<int>(1, 3)(random); i > 0; --i) {
+    const Point along{std::cos(heading), std::sin(heading)};
+    const Point end = (room + width_m * between(3, 10)) * along;
+    const Point across = width_m * between(0.55, 1.15) * Point{-along.y, along.x};
+    parts.push_back({{-1 * across, end - across, end + across, across}, {}});
+    heading += between(1, 2);
+  }
+  Field field;
+  field.outer = unite(parts).front().outer;
+  return field;
+}
+
+Ring turned(const Ring& ring, double by_rad) {
+  const double c = std::cos(by_rad), s = std::sin(by_rad);
+  Ring out;
+  for (const Point& p : ring) out.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
+  return out;
+}
+
+// Turned land is the same land, and where its outline begins says nothing about it. Where passes are worth as
+// much one way as another either may be chosen; no arm stays unworked for that.
+TEST(HeadlandProperties, HardlyDependOnHowTheLandLies) {
+  for (int i = 0; i < case_count(30); ++i) {
+    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
+    std::mt19937_64 random(seed);
+    const double width = std::uniform_real_distribution<double>(2, 12)(random);
+    const double radius = std::uniform_real_distribution<double>(0, 12)(random);
+    Field field = with_arms(random, width, radius);
+    const HeadlandTerms terms = terms_of(field, width, radius, 1);
+    const HeadlandAndBody headland = headland_of(field, terms);
+    for (int other = 0; other < 5; ++other) {
+      field.outer = turned(field.outer, 1.1);
+      std::rotate(field.outer.begin(), field.outer.begin() + 1, field.outer.end());
+      const HeadlandAndBody same = headland_of(field, terms);
+      EXPECT_NEAR(same.uncovered_m2, headland.uncovered_m2, 0.05 * area(headland.ground))
+          << "TRAMLINE_SEED=" << seed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tramline::testing
