@@ -1,6 +1,7 @@
 #include "tramline/headland/rolling_circle_path.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/headland/tolerances.h"
@@ -122,6 +123,7 @@ class Walk {
   /// Goes round once or twice. Precondition: from a stage of the first round, twice from the first stage
   /// only.
   Walked go(std::size_t from, std::size_t rounds) const {
+    assert(from + (rounds + 1) * round_ <= stages_.size());
     Walked out;
     double at = 0;
     for (std::size_t on = from; on < from + rounds * round_;) {
