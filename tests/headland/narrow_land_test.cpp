@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "headland/drawn_headlands.h"
+#include "support/turned_ring.h"
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing::narrow_land_test {
@@ -75,14 +76,6 @@ TEST(Headland, GoesThroughANeckBesideABoundaryThatHardlyBends) {
   EXPECT_NEAR(length(headland.passes[1].path), 2 * (4 + 6.1) + corners, 1e-3);
 }
 
-Ring turned(const Ring& ring, double by_rad) {
-  Ring out;
-  for (const Point& p : ring)
-    out.push_back(
-        {std::cos(by_rad) * p.x - std::sin(by_rad) * p.y, std::sin(by_rad) * p.x + std::cos(by_rad) * p.y});
-  return out;
-}
-
 // An arm of 23 m: two passes lie beside one another there, between which the machine cannot turn. However the
 // land is turned and wherever its outline begins, they are found.
 TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
@@ -91,7 +84,7 @@ TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
   EXPECT_LT(first.uncovered_m2, 400) << "the arm has 2300 m²";
   for (std::size_t begin = 0; begin < outline.size(); ++begin)
     for (int i = 0; i < 12; ++i) {
-      Ring ring = turned(outline, 0.5 * i);
+      Ring ring = testing_support::turned(outline, 0.5 * i);
       std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(begin), ring.end());
       const HeadlandAndBody same = made(field_of(std::move(ring)), {12, 6, 1, {}});
       EXPECT_NEAR(same.uncovered_m2, first.uncovered_m2, 1) << begin << ' ' << i;

@@ -2,8 +2,7 @@
 //
 //   speed_real [--all 1] [--every N] [--width W] [--radius R] [--headlands N] [--curved 1] [--only ID]
 //              [--repeat N] [--scenario N] [--prices OVERLAP,UNCOVERED,TURN,STOP,SUBFIELD] [--sweep 1]
-//              [--obstacles 1]
-//              [--whole 1] [--prove 1] [--most HECTARES]
+//              [--obstacles 1] [--whole 1] [--prove 1] [--most HECTARES]
 //
 // --all 1: every field of the registers instead; --every N: each N-th only; --obstacles 1: those with
 // obstacles only. --scenario: Versleijen's, as best_real has them. --sweep 1: Versleijen's search, with the

@@ -1,6 +1,7 @@
 #include "tramline/headland/pass_rings.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "tramline/headland/clear_stretches.h"
@@ -86,7 +87,7 @@ class Chosen {
     const std::vector<Path> parts = worth_driving(path, scene_.to_work, all_, scene_.least_length_m());
     const double parts_m2 = tramline::worth_m2(parts, scene_.to_work, all_);
     if (parts_m2 <= 0) return;
-    paid_m2_ += parts_m2;
+    paid_m2_ += parts_m2;  // kept, since areas take long
     for (const Path& part : parts) all_.push_back(pass_on(part, scene_));
   }
   void choose(const std::vector<HeadlandPass>& rings, const std::vector<OffsetBoundary>& in_the_way) {
@@ -162,12 +163,6 @@ std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scen
   return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
-/// Passes, and what those of them are worth that were chosen because they pay.
-struct Paying {
-  std::vector<HeadlandPass> all;
-  double paid_m2 = 0;
-};
-
 /// The passes before, and those along edges where the machine has no room to turn. Which way of driving a
 /// path is better depends on what the others work: it is the first, unless all together are worth more with
 /// another.
@@ -178,18 +173,18 @@ std::vector<HeadlandPass> with_passes_along_edges(const std::vector<std::vector<
   const auto chosen = [&] {
     Chosen out(scene, before);
     for (std::size_t i = 0; i < paths.size(); ++i) out.choose_if_it_pays(paths[i][ways[i]]);
-    return Paying{out.all(), out.paid_m2()};
+    return out;
   };
-  Paying best = chosen();
+  std::optional<Chosen> best = chosen();
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (std::size_t way = 1; way < paths[i].size(); ++way) {
       const std::size_t kept = std::exchange(ways[i], way);
-      if (Paying other = chosen(); other.paid_m2 > best.paid_m2 + kNoGain_m2)
-        best = std::move(other);
+      if (Chosen other = chosen(); other.paid_m2() > best->paid_m2() + kNoGain_m2)
+        best.emplace(std::move(other));
       else
         ways[i] = kept;
     }
-  return best.all;
+  return best->all();
 }
 
 /// The passes in parts that do not cross themselves: rings through narrow land may, and no machine drives

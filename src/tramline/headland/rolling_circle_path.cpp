@@ -104,9 +104,8 @@ class Walk {
       stages_.push_back({&centre_lines[centre_line], 0, centre_lines[centre_line].curve.extent});
       centre_line = centre_lines[centre_line].next;
     } while (centre_line != start);
-    round_ = ring_.size();
     for (int i = 0; i < 2; ++i)
-      stages_.insert(stages_.end(), stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(round_));
+      stages_.insert(stages_.end(), stages_.begin(), stages_.begin() + std::ssize(ring_));
   }
 
   /// The part of a stage along which the circle rolls.
@@ -123,10 +122,10 @@ class Walk {
   /// Goes round once or twice. Precondition: from a stage of the first round, twice from the first stage
   /// only.
   Walked go(std::size_t from, std::size_t rounds) const {
-    assert(from + (rounds + 1) * round_ <= stages_.size());
+    assert(from + (rounds + 1) * round() <= stages_.size());
     Walked out;
     double at = 0;
-    for (std::size_t on = from; on < from + rounds * round_;) {
+    for (std::size_t on = from; on < from + rounds * round();) {
       const std::optional<Touch> next = first_that_fits(touches(stages_, on, at, reach_from(on)), fits_);
       const double end = next ? next->here : stages_[on].last;
       if (end > at) out.ways.back().push_back({on, at, end});
@@ -141,23 +140,22 @@ class Walk {
   }
 
   /// The number of stages.
-  std::size_t round() const { return round_; }
+  std::size_t round() const { return ring_.size(); }
   /// Index of the centre line.
-  std::size_t centre_line_of(const Stretch& stretch) const { return ring_[stretch.on % round_]; }
+  std::size_t centre_line_of(const Stretch& stretch) const { return ring_[stretch.on % round()]; }
 
  private:
   /// The first stage too far ahead to be reached from this one.
   std::size_t reach_from(std::size_t on) const {
     double skipped_m = 0;
     std::size_t k = on + 1;
-    while (k + 1 < on + round_ && skipped_m <= most_skipped_m_)
+    while (k + 1 < on + round() && skipped_m <= most_skipped_m_)
       skipped_m += length_m(*stages_[k++].centre_line);
     return k;
   }
 
   const ArcFits& fits_;
   double most_skipped_m_;
-  std::size_t round_ = 0;
   std::vector<std::size_t> ring_;
   std::vector<Stage> stages_;
 };

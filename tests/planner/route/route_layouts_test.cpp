@@ -94,7 +94,8 @@ Field elbow(std::mt19937_64& random) {
 
 // Subfields of a division are priced by themselves. Laid out anew they know of one another.
 TEST(RouteLayouts, LayCurvesOutAsWellAsTheyKnow) {
-  testing::for_each_seed(20, [](std::mt19937_64& random, int) {
+  int curved = 0;
+  testing::for_each_seed(20, [&](std::mt19937_64& random, int) {
     Machine machine = testing::strip_machine();
     machine.width_m = 18;
     PlanSettings settings;
@@ -110,8 +111,10 @@ TEST(RouteLayouts, LayCurvesOutAsWellAsTheyKnow) {
       const auto anew = tried.laid_out(Alternative::kSearched, plan, none);
       ASSERT_TRUE(anew);
       EXPECT_LE(plan.cost, anew->trial.draft.plan.cost + 1e-9) << plan.subfields.size();
+      ++curved;
     }
   });
+  EXPECT_GT(curved, 0);
 }
 
 // One pass leaves 28 of 40 m to tracks, two leave 16.
