@@ -80,15 +80,6 @@ void add_for_comparison(RouteComparison& plans, RouteLayouts& layouts) {
   plans.tell_of(entry);
 }
 
-/// What is planned comes first, also where what is only told of costs less.
-void put_first(const Plan& plan, std::vector<RouteAlternative>& all) {
-  if (!plan.route.planned()) return;
-  const double euros = whole_cost(plan).euros();
-  const auto at =
-      std::ranges::find_if(all, [&](const RouteAlternative& one) { return one.cost.euros() == euros; });
-  if (at != all.end()) std::rotate(all.begin(), at, at + 1);
-}
-
 Plan finished(OtherKind plan, const SearchContext& context) {
   if (auto* const trial = std::get_if<HeadlandTrial>(&plan)) return finished(std::move(*trial), context);
   return std::get<Plan>(std::move(plan));
@@ -97,16 +88,11 @@ Plan finished(OtherKind plan, const SearchContext& context) {
 /// `other`: a plan of another kind that costs less than the best one.
 ComparedRoutes compared(RouteComparison& plans, std::optional<OtherKind> other) {
   ComparedRoutes out;
-  out.all = plans.told_of();
-  std::ranges::stable_sort(out.all, [](const RouteAlternative& a, const RouteAlternative& b) {
-    return a.cost.euros() < b.cost.euros();
-  });
   if (other)
     out.plan = finished(*std::move(other), plans.context());
   else
     out.plan = finished(std::move(plans.best_to_finish()), plans.context());
-  put_first(out.plan, out.all);
-  out.all = without_alike(out.all);
+  out.all = in_order_told(plans.told_of(), out.plan);
   return out;
 }
 

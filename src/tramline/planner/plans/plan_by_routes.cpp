@@ -130,11 +130,7 @@ ExplainedPlan cheaper_of(ExplainedPlan a, ExplainedPlan b) {
   if (whole_cost(b.plan).euros() < whole_cost(a.plan).euros()) std::swap(a, b);
   std::vector<RouteAlternative>& all = a.routes;
   all.insert(all.end(), b.routes.begin(), b.routes.end());
-  if (!all.empty())
-    std::stable_sort(all.begin() + 1, all.end(), [](const RouteAlternative& x, const RouteAlternative& y) {
-      return x.cost.euros() < y.cost.euros();
-    });
-  all = without_alike(all);
+  all = in_order_told(std::move(all), a.plan);
   return a;
 }
 

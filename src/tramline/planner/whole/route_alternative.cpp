@@ -21,6 +21,23 @@ bool are_alike(const RouteAlternative& a, const RouteAlternative& b) {
          all_among(a.directions, b.directions) && all_among(b.directions, a.directions);
 }
 
+/// Of those that are alike the first.
+std::vector<RouteAlternative> without_alike(const std::vector<RouteAlternative>& all) {
+  std::vector<RouteAlternative> out;
+  for (const RouteAlternative& one : all)
+    if (std::ranges::none_of(out, [&](const RouteAlternative& other) { return are_alike(one, other); }))
+      out.push_back(one);
+  return out;
+}
+
+void put_first(const Plan& planned, std::vector<RouteAlternative>& all) {
+  if (!planned.route.planned()) return;
+  const double euros = whole_cost(planned).euros();
+  const auto at =
+      std::ranges::find_if(all, [&](const RouteAlternative& one) { return one.cost.euros() == euros; });
+  if (at != all.end()) std::rotate(all.begin(), at, at + 1);
+}
+
 }  // namespace
 
 const char* name(Alternative alternative) {
@@ -45,14 +62,6 @@ const char* name(Alternative alternative) {
   return "";
 }
 
-std::vector<RouteAlternative> without_alike(const std::vector<RouteAlternative>& all) {
-  std::vector<RouteAlternative> out;
-  for (const RouteAlternative& one : all)
-    if (std::ranges::none_of(out, [&](const RouteAlternative& other) { return are_alike(one, other); }))
-      out.push_back(one);
-  return out;
-}
-
 RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
   RouteAlternative out;
   out.kind = kind;
@@ -64,6 +73,14 @@ RouteAlternative alternative_of(Alternative kind, const Plan& plan) {
   out.dropped =
       static_cast<std::size_t>(std::ranges::count(plan.dropped, DroppedFor::kWay, &DroppedPiece::why));
   return out;
+}
+
+std::vector<RouteAlternative> in_order_told(std::vector<RouteAlternative> all, const Plan& planned) {
+  std::ranges::stable_sort(all, [](const RouteAlternative& a, const RouteAlternative& b) {
+    return a.cost.euros() < b.cost.euros();
+  });
+  put_first(planned, all);
+  return without_alike(all);
 }
 
 }  // namespace tramline
