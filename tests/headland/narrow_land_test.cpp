@@ -91,6 +91,37 @@ TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
     }
 }
 
+/// With a point every few metres of each edge, bowed outwards by so much in its middle.
+Ring with_points_on_edges(const Ring& ring, double bow_m) {
+  constexpr int kParts = 8;
+  Ring out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point from = ring[i], to = ring[(i + 1) % ring.size()];
+    const Point outwards = (1 / distance(from, to)) * right_of(to - from);
+    for (int k = 0; k < kParts; ++k) {
+      const double at = static_cast<double>(k) / kParts;
+      out.push_back(from + at * (to - from) + 4 * at * (1 - at) * bow_m * outwards);
+    }
+  }
+  return out;
+}
+
+// An outline as a receiver records it has points all along its edges, which are next to straight there.
+TEST(Headland, WorksAnArmWhateverPointsItsEdgesHave) {
+  const Ring arm{{0, 0}, {60, 3}, {62, 47}, {160, 45}, {160, 68}, {-2, 70}};
+  const Ring strip{{0, 0}, {26, 0}, {26, 130}, {0, 132}};
+  for (const Ring& outline : {arm, strip}) {
+    const HeadlandAndBody first = made(field_of(outline), {12, 8, 1, {}});
+    for (const double bow_m : {0.0, 1e-6, 1e-5, 1e-4, -1e-6, -1e-5, -1e-4})
+      for (int i = 0; i < 12; ++i) {
+        const Ring ring = testing_support::turned(with_points_on_edges(outline, bow_m), 0.5 * i);
+        const HeadlandAndBody same = made(field_of(ring), {12, 8, 1, {}});
+        EXPECT_EQ(same.passes.size(), first.passes.size()) << bow_m << ' ' << i;
+        EXPECT_NEAR(same.uncovered_m2, first.uncovered_m2, 5) << bow_m << ' ' << i;
+      }
+  }
+}
+
 /// A strip 120 m long whose last part bends off, so long beyond the bend.
 Ring bent_strip(double wide, double beyond, double turned_rad) {
   const Point along{-std::cos(turned_rad), std::sin(turned_rad)};

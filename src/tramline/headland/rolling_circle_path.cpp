@@ -173,8 +173,9 @@ std::vector<CentreLine> centre_lines_along(const std::vector<OffsetRing>& offset
       const Point before = pieces[i]->to_heading, after = pieces[(i + 1) % n]->from_heading;
       out.push_back(centre_line_along(*pieces[i], radius_m));
       out.back().next = first + (i + 1) % n;
+      // Offset lines have no arc about a corner that turns by less.
       out.back().straight_on =
-          std::abs(std::atan2(cross(before, after), dot(before, after))) < kStraightOn_rad;
+          std::abs(std::atan2(cross(before, after), dot(before, after))) <= kNoCorner_rad;
     }
   }
   return out;
