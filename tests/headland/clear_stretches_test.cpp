@@ -1,4 +1,4 @@
-// Where passes that are open at an end stop.
+// Which parts of a pass are clear of what is in its way.
 
 #include "tramline/headland/clear_stretches.h"
 
@@ -9,32 +9,8 @@
 namespace tramline {
 namespace {
 
-constexpr double kWidth_m = 6, kMost_m = 12;
-
 /// A pass of 10 m to the east that ends in (0, 0).
 Path to_the_east() { return {{{-10, 0}, {0, 0}, 0}}; }
-
-double gone_on_m(const std::vector<SwathLimit>& limits) {
-  return driven_to_the_end(to_the_east(), limits, kWidth_m, kMost_m).back().to.x;
-}
-
-/// Land behind x = 7, and land north of a line that falls by 1 in 10 from (0, 9).
-const Ring kAhead{{7, -20}, {30, -20}, {30, 20}, {7, 20}};
-const Ring kBeside{{0, 9}, {60, 3}, {60, 40}, {0, 40}};
-
-TEST(DrivenToTheEnd, GoesOnUntilTheSwathTouchesWhatIsAhead) {
-  EXPECT_NEAR(gone_on_m({}), kMost_m, 1e-9);
-  EXPECT_NEAR(gone_on_m({{kAhead, 0}}), 7, 1e-6);
-  EXPECT_NEAR(gone_on_m({{kBeside, 0}}), kMost_m, 1e-6) << "6 m from the swath";
-}
-
-// The front left corner of the swath, (run, 3), is (6 − run/10)/√1.01 from the line.
-TEST(DrivenToTheEnd, KeepsADistanceBesideTheSwathToo) {
-  EXPECT_NEAR(gone_on_m({{kBeside, 5}}), 10 * (6 - 5 * std::sqrt(1.01)), 2e-3);
-  EXPECT_NEAR(gone_on_m({{kBeside, 5.9}}), 10 * (6 - 5.9 * std::sqrt(1.01)), 2e-3);
-  EXPECT_NEAR(gone_on_m({{kAhead, 4}}), 3, 2e-3);
-  EXPECT_EQ(gone_on_m({{kBeside, 8}}), 0) << "too near already";
-}
 
 TEST(ClearStretches, LeaveOutWhatIsTooNear) {
   // An obstacle of 2 m on the north side of the line: a swath of 6 m has to keep 3 m from it, so the line is

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "tramline/headland/drivable_rings.h"
@@ -44,73 +43,6 @@ class Clearance {
   const std::vector<OffsetBoundary>& boundaries_;
 };
 
-/// The flat end of a swath that is to be extended.
-struct SwathEnd {
-  Point at, along;
-  double half_m = 0;
-
-  Point local(Point p) const { return {dot(p - at, along), cross(along, p - at)}; }
-};
-
-/// Distance it may go until it meets the ring, m. What touches its end already is not in the way.
-double run_to_edges_m(const SwathEnd& end, const SwathLimit& limit, double most_m) {
-  const double half_m = end.half_m - limit.beside_m;
-  const Ring& ring = limit.ring;
-  double out = most_m;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    Point a = end.local(ring[i]), b = end.local(ring[(i + 1) % ring.size()]);
-    if (a.y > b.y) std::swap(a, b);
-    if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kSamePlace_m || std::min(a.x, b.x) > out)
-      continue;
-    const auto x_at = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
-    const double first = a.y < -half_m ? x_at(-half_m) : a.x, last = b.y > half_m ? x_at(half_m) : b.x;
-    if (std::max(first, last) < -kSamePlace_m) continue;
-    out = std::min(out, std::max(0.0, std::min(first, last)));
-  }
-  return out;
-}
-
-/// Distance it may go until its sides or its front come nearer to the ring than `distance_m`, m.
-double run_beside_m(const SwathEnd& end, const Ring& ring, double distance_m, double most_m) {
-  const auto keeps_off = [&](double run_m) {
-    const Point left{0, end.half_m}, right{0, -end.half_m}, on{run_m, 0};
-    const PathSegment sides[] = {{left, left + on, 0}, {right, right + on, 0}, {left + on, right + on, 0}};
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      for (const PathSegment& side : sides)
-        if (distance_to_edge(side, end.local(ring[i]), end.local(ring[(i + 1) % ring.size()])) <
-            distance_m - kBeside_m)
-          return false;
-    return true;
-  };
-  if (keeps_off(most_m)) return most_m;
-  constexpr int kHalvings = 24;
-  double clear_m = 0, other_m = most_m;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle_m = 0.5 * (clear_m + other_m);
-    (keeps_off(middle_m) ? clear_m : other_m) = middle_m;
-  }
-  return clear_m;
-}
-
-double free_run_m(const SwathEnd& end, const std::vector<SwathLimit>& limits, double most_m) {
-  double out = most_m;
-  for (const SwathLimit& limit : limits) {
-    out = run_to_edges_m(end, limit, out);
-    if (limit.distance_m > 0) out = run_beside_m(end, limit.ring, limit.distance_m, out);
-  }
-  return out;
-}
-
-void go_on(Path& path, double by_m) {
-  if (by_m < kNoRun_m) return;
-  const Point along = direction_at_end(path.back());
-  const Point end = path.back().to + by_m * along;
-  if (path.back().straight())
-    path.back().to = end;
-  else
-    path.push_back({path.back().to, end, 0});
-}
-
 }  // namespace
 
 std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
@@ -141,16 +73,6 @@ std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoun
   for (const auto& [from_m, to_m] : runs)
     if (Path part = stretch_of(path, from_m, to_m); !part.empty()) out.push_back(std::move(part));
   return out;
-}
-
-Path driven_on(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m) {
-  go_on(path, free_run_m({path.back().to, direction_at_end(path.back()), 0.5 * width_m}, limits, most_m));
-  return path;
-}
-
-Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m) {
-  for (int end = 0; end < 2; ++end) path = reversed(driven_on(std::move(path), limits, width_m, most_m));
-  return path;
 }
 
 }  // namespace tramline

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "tramline/headland/clear_stretches.h"
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/driven_on.h"
 #include "tramline/headland/ring_groups.h"
 #include "tramline/headland/rolling_circle_path.h"
 
@@ -27,10 +27,7 @@ std::vector<std::size_t> rings_to_follow(const std::vector<CentreLine>& centre_l
 }
 
 /// Whether the path turns round a corner in this segment, to the left.
-bool is_corner(const PathSegment& segment) {
-  constexpr double kLeast = 0.5;  // rad
-  return segment.curvature > 0 && turning(segment) > kLeast;
-}
+bool is_corner(const PathSegment& segment) { return segment.curvature > 0 && turning(segment) > kCorner_rad; }
 
 /// The path without a corner close to the end and what follows it: nothing requires the turn, and straight on
 /// the swath reaches as far.
@@ -78,7 +75,8 @@ std::vector<std::vector<Path>> edge_following_passes(const std::vector<Boundary>
       if (path.empty() || !keeps_off(path, land.offset_boundaries)) continue;
       const double hook_m = land.radius_m + terms.width_m;
       const auto to_the_end = [&](Path part) {
-        return driven_to_the_end(std::move(part), limits, terms.width_m, hook_m);
+        return driven_to_the_end(std::move(part), limits,
+                                 {terms.width_m, land.radius_m, hook_m, Along::kOnTheRight});
       };
       Path straight = without_first_hook(without_hook(path, hook_m), hook_m);
       out.push_back({to_the_end(straight)});

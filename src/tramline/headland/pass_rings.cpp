@@ -6,6 +6,7 @@
 
 #include "tramline/headland/clear_stretches.h"
 #include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/driven_on.h"
 #include "tramline/headland/edge_following_passes.h"
 #include "tramline/headland/ring_groups.h"
 #include "tramline/headland/tolerances.h"
@@ -122,7 +123,7 @@ class Chosen {
       const int before = scene_.has_pass(i) ? scene_.number - 1 : 0;
       limits.push_back({scene_.boundaries[i].ring, headland_depth_m(scene_.boundaries[i], before, width_m)});
     }
-    return driven_to_the_end(path, limits, width_m, 0.5 * width_m);
+    return driven_to_the_end(path, limits, {width_m, tightest_turn_m(scene_.terms), 0.5 * width_m});
   }
 
   const Scene& scene_;

@@ -9,6 +9,7 @@
 #include "tramline/headland/clear_stretches.h"
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/driven_on.h"
 #include "tramline/headland/edges/chain_wall.h"
 #include "tramline/headland/path_stretch.h"
 #include "tramline/headland/ring_groups.h"
@@ -197,7 +198,8 @@ class Extended {
 Path driven_on_over_fresh_land(const Path& path, const std::vector<SwathLimit>& limits,
                                const ChainScene& scene, const GroundToWork& to_work,
                                const std::vector<HeadlandPass>& before) {
-  const Path farther = driven_on(path, limits, scene.width_m(), scene.farthest_on_m());
+  const Path farther =
+      driven_on(path, limits, {scene.width_m(), tightest_turn_m(scene.terms), scene.farthest_on_m()});
   return Extended(farther, length(path), to_work, before).as_far_as_it_pays();
 }
 
