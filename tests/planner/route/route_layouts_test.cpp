@@ -24,6 +24,7 @@ PlanningProblem strip_problem(HeadlandRule rule) {
 
 std::vector<Plan> one_layout(const PlanningProblem& problem) {
   Plan out;
+  out.field = problem.field;
   out.machine = problem.machine;
   out.subfields.push_back({{problem.field.outer, {}}, Direction::clockwise_from_north(Angle::degrees(0))});
   return {out};

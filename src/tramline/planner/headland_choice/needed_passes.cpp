@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tramline/planner/headland_choice/boundary_ahead.h"
+#include "tramline/planner/headland_choice/whole_sides.h"
 #include "tramline/route/turning/planned_turns.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/outline/swept_reach.h"
@@ -111,6 +112,7 @@ class Needs {
       if (!plan_.pieces[i + 1].after_crossing) add(hop_between(plan_.pieces[i], plan_.pieces[i + 1]));
     if (!plan_.pieces.empty()) add_outer_ends();
     out_.edges = sides_.by_edge();
+    take_whole_sides(plan_.field.outer, plan_.machine.width_m, out_.edges);
     return out_;
   }
 
@@ -239,6 +241,7 @@ class Lacking {
       if (piece.stop_at_start) add_way_off(piece.start, -1.0 * heading_at_start(piece));
       if (piece.stop_at_end) add_way_off(piece.end, heading_at_end(piece));
     }
+    take_whole_sides(plan_.field.outer, plan_.machine.width_m, more_.edges);
     return more_;
   }
 
