@@ -73,6 +73,15 @@ TEST(DrivenOn, StopsAtACorner) {
   EXPECT_NEAR(length(driven_beside(bending(0.55), Along::kOnTheRight)), 15, 1e-3);
 }
 
+// The arc ends on a line through (5.49, 0.16) at right angles to the bent edge: a mast between that and the
+// bend would be driven over by the arc alone.
+TEST(DrivenOn, StopsBeforeWhatTheTurnWouldDriveOver) {
+  const Ring mast{{5.1, 1}, {5.2, 1}, {5.2, 1.1}, {5.1, 1.1}};
+  const Path path = driven_on(pass_to_the_east(), {{bending(0.2), 0}, {mast, 0}},
+                              {kWidth_m, kRadius_m, kMost_m, Along::kOnTheRight});
+  EXPECT_NEAR(length(path), 15, 1e-3);
+}
+
 TEST(DrivenOn, StopsWhereItHasNoLineToTurnFrom) {
   const Path shorter{{{-0.5, 0}, {0, 0}, 0}};
   const Ring ring{{-20, -3}, {-20, -40}, {60, -40}, {60, 12}, {0.3, -3}};

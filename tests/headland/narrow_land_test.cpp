@@ -91,6 +91,15 @@ TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
     }
 }
 
+// The land of a wedge of 500 m that is 90 m wide is 24 m wide 133 m from its tip: there the machine turns,
+// and up to 67 m from the tip, where it is 12 m wide, a swath fits. What is left of 6000 m² − 400 m² before
+// that are the corners.
+TEST(Headland, DrivesIntoTheTipOfAWedge) {
+  const HeadlandAndBody headland = made(field_of({{0, 0}, {500, 45}, {0, 90}}), {12, 6, 1, {}});
+  EXPECT_GT(headland.passes.size(), 1U);
+  EXPECT_LT(headland.uncovered_m2, 400 + 400);
+}
+
 /// With a point every few metres of each edge, bowed outwards by so much in its middle.
 Ring with_points_on_edges(const Ring& ring, double bow_m) {
   constexpr int kParts = 8;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tramline/geometry/path/path.h"
+#include "tramline/geometry/path/shifted_path.h"
 
 namespace tramline {
 namespace {
@@ -110,6 +111,28 @@ std::optional<Path> turned_along_edge(Path path, const FreeRun& run, const Drive
   return path;
 }
 
+/// Whether the swath of an arc keeps its distance from the boundary with its sides, and has none of it
+/// inside.
+bool keeps_off(const PathSegment& arc, const SwathLimit& limit, double width_m) {
+  const double half_m = 0.5 * width_m - limit.beside_m;
+  std::vector<PathSegment> sides;
+  for (const double right_m : {-half_m, half_m})
+    if (const std::optional<Path> side = shifted({arc}, right_m, kShortestPiece_m))
+      sides.push_back(side->front());
+  const auto is_inside = [&](Point p) {
+    return dot(p - arc.from, direction_at_start(arc)) > 0 && dot(p - arc.to, direction_at_end(arc)) < 0 &&
+           distance_to_edge(arc, p, p) < half_m;
+  };
+  const Ring& ring = limit.ring;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    if (is_inside(a)) return false;
+    for (const PathSegment& side : sides)
+      if (distance_to_edge(side, a, b) <= limit.distance_m) return false;
+  }
+  return true;
+}
+
 /// Whether the swath meets the boundary that it goes along where that bends.
 bool meets_bend(const FreeRun& run, Along boundary) {
   return (boundary == Along::kOnTheRight && run.side_turn > kNoCorner_rad) ||
@@ -134,7 +157,10 @@ Path driven_on(Path path, const std::vector<SwathLimit>& limits, const DrivenOn&
   while (meets_bend(run, how.boundary)) {
     turned += std::abs(run.side_turn);
     const std::optional<Path> along = turned < kCorner_rad ? turned_along_edge(path, run, how) : std::nullopt;
-    if (!along) break;
+    if (!along || !std::ranges::all_of(limits, [&](const SwathLimit& limit) {
+          return keeps_off(along->back(), limit, how.width_m);
+        }))
+      break;
     const FreeRun farther = run_of(*along);
     if (length(*along) + farther.by_m < length(path) + run.by_m + kNoRun_m) break;
     path = *along;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "tramline/headland/tolerances.h"
 
@@ -76,13 +77,6 @@ std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, dou
   return out;
 }
 
-std::optional<Touch> first_that_fits(const std::vector<Touch>& found, const ArcFits& fits) {
-  const auto first = std::find_if(found.begin(), found.end(), [&](const Touch& touch) {
-    return fits(touch.centre, touch.heading_before, touch.heading_after);
-  });
-  return first == found.end() ? std::nullopt : std::optional(*first);
-}
-
 /// Of a part of a curve that long by its own measure.
 double length_m(const OffsetCurve& curve, double extent) {
   return curve.straight() ? extent : extent * curve.radius;
@@ -90,6 +84,45 @@ double length_m(const OffsetCurve& curve, double extent) {
 
 double length_m(const CentreLine& centre_line) {
   return length_m(centre_line.curve, centre_line.curve.extent);
+}
+
+/// What the circle leaves out of the stages where it comes to touch another one.
+double skipped_m(const std::vector<Stage>& stages, std::size_t on, const Touch& touch) {
+  const Stage &here = stages[on], &there = stages[touch.stage];
+  double out = length_m(here.centre_line->curve, here.last - touch.here) +
+               length_m(there.centre_line->curve, touch.there - there.first);
+  for (std::size_t k = on + 1; k < touch.stage; ++k) out += length_m(*stages[k].centre_line);
+  return out;
+}
+
+/// Of the touches of a stage the first at which the circle's arc fits and no more is left out.
+std::optional<Touch> first_that_fits(const std::vector<Stage>& stages, std::size_t on,
+                                     const std::vector<Touch>& found, const ArcFits& fits,
+                                     double most_skipped_m) {
+  const auto first = std::find_if(found.begin(), found.end(), [&](const Touch& touch) {
+    return skipped_m(stages, on, touch) <= most_skipped_m &&
+           fits(touch.centre, touch.heading_before, touch.heading_after);
+  });
+  return first == found.end() ? std::nullopt : std::optional(*first);
+}
+
+/// The line of the centre along all stages, of which no more than so much is left out at once.
+std::optional<OffsetRing> rolled_along(const std::vector<Stage>& way, const ArcFits& fits,
+                                       double most_skipped_m) {
+  OffsetRing out;
+  double at = way.front().first;
+  for (std::size_t on = 0; on + 1 < way.size();) {
+    const std::optional<Touch> first =
+        first_that_fits(way, on, touches(way, on, at, way.size()), fits, most_skipped_m);
+    if (!first && !way[on].centre_line->straight_on) return std::nullopt;
+    const double end = first ? first->here : way[on].last;
+    if (end > at) out.push_back(piece_between(*way[on].centre_line, at, end));
+    at = first ? first->there : way[on + 1].first;
+    on = first ? first->stage : on + 1;
+  }
+  if (at > way.back().last + slack_on(way.back().centre_line->curve)) return std::nullopt;
+  if (way.back().last > at) out.push_back(piece_between(*way.back().centre_line, at, way.back().last));
+  return out;
 }
 
 /// The stages of a ring, repeated three times, and a walk along them.
@@ -126,7 +159,8 @@ class Walk {
     Walked out;
     double at = 0;
     for (std::size_t on = from; on < from + rounds * round();) {
-      const std::optional<Touch> next = first_that_fits(touches(stages_, on, at, reach_from(on)), fits_);
+      const std::optional<Touch> next =
+          first_that_fits(stages_, on, touches(stages_, on, at, reach_from(on)), fits_, 2 * most_skipped_m_);
       const double end = next ? next->here : stages_[on].last;
       if (end > at) out.ways.back().push_back({on, at, end});
       if (!next && !stages_[on].centre_line->straight_on) {
@@ -192,20 +226,7 @@ OffsetPiece piece_between(const CentreLine& centre_line, double from, double to)
 
 std::optional<OffsetRing> rolling_circle_path(const std::vector<CentreLine>& centre_lines,
                                               CentrePosition from, CentrePosition to, const ArcFits& fits) {
-  const std::vector<Stage> way = stages(centre_lines, from, to);
-  OffsetRing out;
-  double at = from.at;
-  for (std::size_t on = 0; on + 1 < way.size();) {
-    const std::optional<Touch> first = first_that_fits(touches(way, on, at, way.size()), fits);
-    if (!first && !way[on].centre_line->straight_on) return std::nullopt;
-    const double end = first ? first->here : way[on].last;
-    if (end > at) out.push_back(piece_between(*way[on].centre_line, at, end));
-    at = first ? first->there : way[on + 1].first;
-    on = first ? first->stage : on + 1;
-  }
-  if (at > way.back().last + slack_on(way.back().centre_line->curve)) return std::nullopt;
-  if (way.back().last > at) out.push_back(piece_between(*way.back().centre_line, at, way.back().last));
-  return out;
+  return rolled_along(stages(centre_lines, from, to), fits, std::numeric_limits<double>::infinity());
 }
 
 RollingCirclePaths rolling_circle_paths(const std::vector<CentreLine>& centre_lines, std::size_t start,
@@ -235,7 +256,7 @@ RollingCirclePaths rolling_circle_paths(const std::vector<CentreLine>& centre_li
   const std::size_t line = walk.centre_line_of(*longest);
   const double from = std::lerp(longest->first, longest->last, 0.4);
   const double to = std::lerp(longest->first, longest->last, 0.6);
-  out.closed = rolling_circle_path(centre_lines, {line, to}, {line, from}, fits);
+  out.closed = rolled_along(stages(centre_lines, {line, to}, {line, from}), fits, 2 * most_skipped_m);
   if (out.closed) out.closed->push_back(piece_between(centre_lines[line], from, to));
   return out;
 }
