@@ -26,11 +26,11 @@ TEST(WholeSides, GoOnPastTheFirstCornerOfTheRing) {
   EXPECT_EQ(along_sides(outer, {0, 1, 0, 0, 2}), (std::vector<int>{2, 1, 0, 0, 2}));
 }
 
-// A tenth of the width is as straight as a side has to be: 0.5 m of 0.6 m, but not 0.7 m.
+// A quarter of the width is as straight as a side has to be: 1.4 m of 1.5 m, but not 1.6 m.
 TEST(WholeSides, EndWhereTheyBend) {
-  const Ring slight{{0, 0}, {50, -0.5}, {100, 0}, {100, 80}, {0, 80}};
+  const Ring slight{{0, 0}, {50, -1.4}, {100, 0}, {100, 80}, {0, 80}};
   EXPECT_EQ(along_sides(slight, {2, 0, 0, 0, 0}), (std::vector<int>{2, 2, 0, 0, 0}));
-  const Ring bent{{0, 0}, {50, -0.7}, {100, 0}, {100, 80}, {0, 80}};
+  const Ring bent{{0, 0}, {50, -1.6}, {100, 0}, {100, 80}, {0, 80}};
   EXPECT_EQ(along_sides(bent, {2, 0, 0, 0, 0}), (std::vector<int>{2, 0, 0, 0, 0}));
 }
 

@@ -9,7 +9,7 @@ namespace tramline {
 namespace {
 
 /// Corners nearer to the line between others belong to one side, in widths of the machine.
-constexpr double kSameSide_share = 0.1;
+constexpr double kSameSide_share = 0.25;
 
 }  // namespace
 
