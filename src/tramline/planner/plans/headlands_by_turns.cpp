@@ -7,10 +7,10 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/planner/assembly/finished_plan.h"
-#include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/headland_choice/headlands_for_turns.h"
 #include "tramline/planner/headland_choice/relaid.h"
+#include "tramline/planner/plans/cheapest_headlands.h"
 #include "tramline/planner/prepare_field.h"
 
 namespace tramline {
@@ -53,31 +53,6 @@ std::optional<Plan> layout_behind_passes(const PlanningProblem& bare, int passes
   return finished_plan(SearchTask(bare, prepared->field), std::move(found), context.for_layout());
 }
 
-/// The plan, or the same layout behind passes all round the field where its route costs less: from one pass
-/// on as long as more of them cost less.
-HeadlandTrial or_behind_passes_all_round(HeadlandTrial best, const PlanningProblem& problem,
-                                         const Plan& layout, const SearchContext& context) {
-  constexpr int kMostPasses = 6;
-  const auto price = [](const HeadlandTrial& of) { return whole_cost(of.draft.plan).euros(); };
-  PassesByBoundary passes{std::vector<int>(problem.field.outer.size(), 0), best.passes.obstacles};
-  passes.obstacles.resize(problem.field.obstacles.size(), 0);
-  double least = price(best), before = kAnyCost;
-  for (int all_round = 1; all_round <= kMostPasses && !context.has_to_end(); ++all_round) {
-    passes.edges.assign(passes.edges.size(), all_round);
-    std::optional<HeadlandTrial> trial =
-        headland_trial(problem, layout, as_set(problem, passes), Offset::kOfLayout, context);
-    if (!trial) break;
-    const double costs = price(*trial);
-    if (costs < least) {
-      least = costs;
-      best = *std::move(trial);
-    }
-    if (costs > before) break;
-    before = costs;
-  }
-  return best;
-}
-
 /// Nothing where a layout has no tracks. `by`: what decides; `deepening`: for headlands behind the layout.
 std::optional<HeadlandTrial> best_trial(const PlanningProblem& problem, Decides by,
                                         const SearchContext& context, const SearchContext& deepening) {
@@ -85,9 +60,8 @@ std::optional<HeadlandTrial> best_trial(const PlanningProblem& problem, Decides 
   const PlanningProblem bare = without_headlands_for_turns(problem);
   const Plan layout = searched_plan(bare, context.for_layout(), Explain::kNo).plan;
   if (layout.subfields.empty()) return std::nullopt;
-  HeadlandTrial out = with_headlands_for_turns(problem, layout, deepening);
-  if (by != Decides::kWholeCost || problem.settings.headland_rule != HeadlandRule::kTurns) return out;
-  return or_behind_passes_all_round(std::move(out), problem, layout, context.uncounted().without_bound());
+  if (by == Decides::kCostOfTracks) return with_headlands_for_turns(problem, layout, deepening);
+  return with_cheapest_headlands(problem, layout, context, deepening);
 }
 
 }  // namespace
