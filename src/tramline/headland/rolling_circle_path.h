@@ -54,8 +54,7 @@ struct RollingCirclePaths {
 /// The lines of the centre along the ring of centre line `start`. The circle changes centre lines as in
 /// rolling_circle_path(), but leaves out no more than `most_skipped_m` of centre lines between these two, nor
 /// twice that with their own parts (the tip of a wedge has none in between): where that is impossible the
-/// line ends at the kink and the next one begins behind it. O(n²) for n centre lines of the
-/// ring.
+/// line ends at the kink and the next one begins behind it. O(n²) for n centre lines of the ring.
 RollingCirclePaths rolling_circle_paths(const std::vector<CentreLine>& centre_lines, std::size_t start,
                                         const ArcFits& fits, double most_skipped_m);
 
