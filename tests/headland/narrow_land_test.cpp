@@ -91,9 +91,9 @@ TEST(Headland, WorksAnArmWhereverTheOutlineBegins) {
     }
 }
 
-// The land of a wedge of 500 m that is 90 m wide is 24 m wide 133 m from its tip: there the machine turns,
-// and up to 67 m from the tip, where it is 12 m wide, a swath fits. What is left of 6000 m² − 400 m² before
-// that are the corners.
+// A wedge of 500 m by 90 m is 24 m wide 133 m from its tip, where the machine turns round: 1600 m² lie
+// beyond. A swath of 12 m fits up to 67 m from the tip, beyond which 400 m² are left; the rest are the
+// corners.
 TEST(Headland, DrivesIntoTheTipOfAWedge) {
   const HeadlandAndBody headland = made(field_of({{0, 0}, {500, 45}, {0, 90}}), {12, 6, 1, {}});
   EXPECT_GT(headland.passes.size(), 1U);

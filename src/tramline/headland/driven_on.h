@@ -26,7 +26,7 @@ enum class Along { kNone, kOnTheRight, kOnTheLeft };
 /// How a swath with flat ends is driven on.
 struct DrivenOn {
   double width_m = 0;
-  double radius_m = 0;  ///< of the tightest turn
+  double radius_m = 0;  ///< of the tightest turn along a boundary that bends
   double most_m = 0;    ///< how far at most
   Along boundary = Along::kNone;
 };
