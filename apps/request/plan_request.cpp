@@ -344,6 +344,8 @@ PlanSettings settings_of(const PlanOptions& o) {
       chosen(pass_time_named(o.headland_time), "--headland-time", o.headland_time, "first or last");
   settings.route.sequence = chosen(pass_sequence_named(o.pass_sequence), "--pass-sequence", o.pass_sequence,
                                    "any, inwards or outwards");
+  settings.route.corners =
+      chosen(pass_corners_named(o.pass_corners), "--pass-corners", o.pass_corners, "auto or round");
   if (o.turn_room_m) settings.turn_room_m = length_typed(*o.turn_room_m, "room to turn beyond the boundary");
   settings.towing_error_m = length_typed(o.towing_error_m, "lateral error of a towed implement");
   settings.shape = shape_of(o.curved);

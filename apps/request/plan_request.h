@@ -51,6 +51,7 @@ struct PlanOptions {
   std::string route = "none";
   std::string order;  ///< best; without a route as spacing
   std::string headland_time = "last", pass_sequence = "any";
+  std::string pass_corners = "auto";
   std::string start, end;  ///< of the route: "x,y", or a file
   std::optional<double> turn_room_m;
   double towing_error_m = 0.1;

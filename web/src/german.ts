@@ -558,6 +558,7 @@ export const GERMAN: Readonly<Record<string, string>> = {
   '{0} all round': '{0} ringsum',
   '{0} where tracks end': '{0}, wo Spuren enden',
   ', one track beside the other': ', eine Spur neben der anderen',
+  ', corners worked out': ', Ecken ausgefahren',
   'Two plans side by side': 'Zwei Pläne nebeneinander',
   'This field has one plan so far. Make another under Plan, or click a dot above.': 'Dieses Feld hat bisher einen Plan. Erstellen Sie einen weiteren unter Plan, oder klicken Sie oben auf einen Punkt.',
   'This field has no plans yet. Make two under Plan, or click dots above.': 'Dieses Feld hat noch keine Pläne. Erstellen Sie zwei unter Plan, oder klicken Sie oben auf Punkte.',

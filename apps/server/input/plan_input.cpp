@@ -67,8 +67,9 @@ void take_route(const JsonInput& input, app::PlanOptions& options) {
   take_word(input, "order", options.order);
   take_word(input, "headland_time", options.headland_time);
   take_word(input, "pass_sequence", options.pass_sequence);
+  take_word(input, "pass_corners", options.pass_corners);
   if (options.route != "none") return;
-  for (const char* key : {"headland_time", "pass_sequence", "start", "end"})
+  for (const char* key : {"headland_time", "pass_sequence", "pass_corners", "start", "end"})
     if (input.has(key))
       throw bad_input(fmt::format("{} is for a route; set settings.route to true", input.place_of(key)));
 }
@@ -183,8 +184,8 @@ constexpr std::array kSettingsKeys = {"like",          "strategy",
                                       "turn_room_m",   "towing_error_m",
                                       "route",         "order",
                                       "headland_time", "pass_sequence",
-                                      "start",         "end",
-                                      "land"};
+                                      "pass_corners",  "start",
+                                      "end",           "land"};
 
 }  // namespace
 

@@ -66,9 +66,20 @@ void add_headland_options(CommandOptions& command, PlanOptions& o, PlanDefaults 
       .takes("WORD")
       .check(spacing_fault)
       .shows_default("adjacent");
+  command
+      .add_option("--turn-room", o.turn_room_m,
+                  "How far beyond a soft boundary without headland the machine may turn, in metres.")
+      .takes("M")
+      .shows_default("as far as it needs");
+  command
+      .add_option("--towing-error", o.towing_error_m,
+                  "Largest distance of a towed implement from its track where the work begins, in metres.")
+      .takes("M")
+      .shows_default("0.1");
 }
 
 void add_route_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {
+  command.begin_group("Route");
   command
       .add_option("--route", o.route,
                   fmt::format("With 'whole', or without a value, plan the whole route: the order of tracks "
@@ -100,6 +111,13 @@ void add_route_options(CommandOptions& command, PlanOptions& o, PlanDefaults def
       .takes("WORD")
       .shows_default("any");
   command
+      .add_option("--pass-corners", o.pass_corners,
+                  "How headland passes take corners: 'round', or 'auto', straight on to the edge and out in "
+                  "reverse where that costs less than the land left outside a round corner. Passes are round "
+                  "where the plan is not to cost least as a whole.")
+      .takes("WORD")
+      .shows_default("auto");
+  command
       .add_option("--start", o.start,
                   "Where the route starts: a point, \"x,y\", in the field's coordinates or in longitude and "
                   "latitude, or a file of points, of which the one nearest to the field counts.")
@@ -108,16 +126,6 @@ void add_route_options(CommandOptions& command, PlanOptions& o, PlanDefaults def
   command.add_option("--end", o.end, "Where the route ends, given like --start.")
       .takes("POINT|FILE")
       .shows_default("at a track or a pass");
-  command
-      .add_option("--turn-room", o.turn_room_m,
-                  "How far beyond a soft boundary without headland the machine may turn, in metres.")
-      .takes("M")
-      .shows_default("as far as it needs");
-  command
-      .add_option("--towing-error", o.towing_error_m,
-                  "Largest distance of a towed implement from its track where the work begins, in metres.")
-      .takes("M")
-      .shows_default("0.1");
 }
 
 void add_line_options(CommandOptions& command, PlanOptions& o, PlanDefaults defaults) {

@@ -93,13 +93,19 @@ enum class TrackOrder { kBest, kBySpacing };
 enum class PassTime { kFirst, kLast };
 /// Which of several passes along one boundary comes first. kAny: as the way is shortest.
 enum class PassSequence { kAny, kInwards, kOutwards };
+/// Whether headland passes are driven straight on into corners, out of which the machine backs. kAuto: where
+/// that costs less than the land that is left outside a round corner. With Aim::kWholeCost; else they are
+/// round.
+enum class PassCorners { kAuto, kRound };
 
 const char* name(TrackOrder order);       ///< best, spacing
 const char* name(PassTime time);          ///< first, last
 const char* name(PassSequence sequence);  ///< any, inwards, outwards
+const char* name(PassCorners corners);    ///< auto, round
 std::optional<TrackOrder> track_order_named(std::string_view word);
 std::optional<PassTime> pass_time_named(std::string_view word);
 std::optional<PassSequence> pass_sequence_named(std::string_view word);
+std::optional<PassCorners> pass_corners_named(std::string_view word);
 
 /// What a user decides about a route. Gates are points of the field's frame; without them the route starts
 /// and ends at a piece or a pass.
@@ -109,6 +115,7 @@ struct RouteSettings {
   PassSequence sequence = PassSequence::kAny;
   std::optional<Point> start{};
   std::optional<Point> end{};
+  PassCorners corners = PassCorners::kAuto;
 };
 
 }  // namespace tramline

@@ -20,17 +20,18 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
 
 /// Why a plan was among those that were compared by their whole routes.
 enum class Alternative {
-  kSearched,      ///< its tracks are those of least cost by the rates of the machine (track_prices())
-  kLongestSide,   ///< its tracks run along the longest side of the field
-  kLength,        ///< along its length
-  kUndivided,     ///< in one direction, where the searched ones have several
-  kNoHeadland,    ///< without headland passes
-  kAdjacent,      ///< in order, each track beside the one before
-  kRoomForTurns,  ///< with headlands deepened where turns lacked room
-  kMovedLines,    ///< on lines beside those of another plan, or in any direction, of few tracks
+  kSearched,       ///< its tracks are those of least cost by the rates of the machine (track_prices())
+  kLongestSide,    ///< its tracks run along the longest side of the field
+  kLength,         ///< along its length
+  kUndivided,      ///< in one direction, where the searched ones have several
+  kNoHeadland,     ///< without headland passes
+  kAdjacent,       ///< in order, each track beside the one before
+  kRoomForTurns,   ///< with headlands deepened where turns lacked room
+  kMovedLines,     ///< on lines beside those of another plan, or in any direction, of few tracks
+  kWorkedCorners,  ///< with headland passes driven on into corners, out of which the machine backs
 };
 /// "as searched", "along the longest side", "along the length", "undivided", "no headland", "adjacent order",
-/// "room for turns", "on moved lines"
+/// "room for turns", "on moved lines", "corners worked out"
 const char* name(Alternative alternative);
 
 /// A plan that was compared by its whole route.

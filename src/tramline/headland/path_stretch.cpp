@@ -1,7 +1,9 @@
 #include "tramline/headland/path_stretch.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "tramline/headland/tolerances.h"
 
@@ -26,7 +28,32 @@ void append(const PathSegment& segment, double from_m, double to_m, double lengt
   out.push_back({out.empty() ? from : out.back().to, to, segment.curvature});
 }
 
+/// Where along a segment it is nearest to a point, m.
+double nearest_on_m(const PathSegment& segment, Point to, double length_m) {
+  if (segment.straight())
+    return std::clamp(dot(to - segment.from, direction_at_start(segment)), 0.0, length_m);
+  const Point spoke = segment.from - centre(segment), towards = to - centre(segment);
+  const double angle = std::atan2(cross(spoke, towards), dot(spoke, towards));
+  const double ahead = segment.curvature > 0 ? angle : -angle;
+  if (ahead >= 0 && ahead <= std::abs(turning(segment))) return ahead * radius(segment);
+  return distance(to, segment.from) < distance(to, segment.to) ? 0 : length_m;
+}
+
 }  // namespace
+
+double nearest_along_m(const Path& path, Point to) {
+  double at_m = 0, out = 0, nearest_m = std::numeric_limits<double>::infinity();
+  for (const PathSegment& segment : path) {
+    const double length_m = length(segment), on_m = nearest_on_m(segment, to, length_m);
+    const double distance_m = distance(to, point_on(segment, on_m, length_m));
+    if (distance_m < nearest_m) {
+      nearest_m = distance_m;
+      out = at_m + on_m;
+    }
+    at_m += length_m;
+  }
+  return out;
+}
 
 Path stretch_of(const Path& path, double from_m, double to_m) {
   assert(0 <= from_m && from_m < to_m);

@@ -11,4 +11,7 @@ namespace tramline {
 /// O(n).
 Path stretch_of(const Path& path, double from_m, double to_m);
 
+/// Where along the path it is nearest to a point, m. O(n).
+double nearest_along_m(const Path& path, Point to);
+
 }  // namespace tramline

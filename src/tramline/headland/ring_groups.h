@@ -5,7 +5,7 @@
 
 #include "tramline/headland/headland.h"
 #include "tramline/headland/pass_boundaries.h"
-#include "tramline/headland/worth_driving.h"
+#include "tramline/headland/worth/worth_driving.h"
 
 namespace tramline {
 

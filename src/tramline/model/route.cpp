@@ -18,6 +18,7 @@ constexpr std::array kLegKinds = {LegKind::kWork, LegKind::kHeadland, LegKind::k
 constexpr std::array kOrders = {TrackOrder::kBest, TrackOrder::kBySpacing};
 constexpr std::array kTimes = {PassTime::kFirst, PassTime::kLast};
 constexpr std::array kSequences = {PassSequence::kAny, PassSequence::kInwards, PassSequence::kOutwards};
+constexpr std::array kCorners = {PassCorners::kAuto, PassCorners::kRound};
 
 /// The sum that a leg of this kind is part of.
 double& share_of(RouteSums& sums, LegKind kind) {
@@ -56,6 +57,8 @@ const char* name(LegKind kind) {
 const char* name(TrackOrder order) { return order == TrackOrder::kBest ? "best" : "spacing"; }
 const char* name(PassTime time) { return time == PassTime::kFirst ? "first" : "last"; }
 
+const char* name(PassCorners corners) { return corners == PassCorners::kAuto ? "auto" : "round"; }
+
 const char* name(PassSequence sequence) {
   switch (sequence) {
     case PassSequence::kAny:
@@ -72,6 +75,7 @@ std::optional<LegKind> leg_kind_named(std::string_view word) { return named(word
 std::optional<TrackOrder> track_order_named(std::string_view word) { return named(word, kOrders); }
 std::optional<PassTime> pass_time_named(std::string_view word) { return named(word, kTimes); }
 std::optional<PassSequence> pass_sequence_named(std::string_view word) { return named(word, kSequences); }
+std::optional<PassCorners> pass_corners_named(std::string_view word) { return named(word, kCorners); }
 
 double length(const RouteLeg& leg) { return length(leg.path); }
 

@@ -112,16 +112,7 @@ void apply_given_land(const PlanningProblem& problem, PreparedField& field) {
 std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                                               const std::vector<int>& obstacle_passes,
                                               const ClassifiedGround& bare) {
-  const HeadlandTerms terms{problem.machine.width_m,
-                            problem.machine.radius_m,
-                            problem.settings.headlands,
-                            obstacle_passes,
-                            min_length_m(problem.machine),
-                            problem.settings.tracks == TrackConstruction::kPaper
-                                ? HeadlandConstruction::kPlain
-                                : HeadlandConstruction::kDrivable,
-                            problem.settings.headland_edges,
-                            problem.settings.clearance_m};
+  const HeadlandTerms terms = headland_terms(problem, obstacle_passes);
   HeadlandAndBody headland = headland_of(problem.field, terms);
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;
@@ -192,6 +183,18 @@ std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, co
 }
 
 }  // namespace
+
+HeadlandTerms headland_terms(const PlanningProblem& problem, const std::vector<int>& obstacle_passes) {
+  return {problem.machine.width_m,
+          problem.machine.radius_m,
+          problem.settings.headlands,
+          obstacle_passes,
+          min_length_m(problem.machine),
+          problem.settings.tracks == TrackConstruction::kPaper ? HeadlandConstruction::kPlain
+                                                               : HeadlandConstruction::kDrivable,
+          problem.settings.headland_edges,
+          problem.settings.clearance_m};
+}
 
 PreparedField field_without_headlands(const PlanningProblem& problem) {
   PreparedField out;

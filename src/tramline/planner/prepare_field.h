@@ -4,12 +4,16 @@
 #include <optional>
 
 #include "tramline/geometry/error.h"
+#include "tramline/headland/headland.h"
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/prepared_field.h"
 #include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
+
+/// The terms of the headlands that the settings ask for, with these passes round obstacles.
+HeadlandTerms headland_terms(const PlanningProblem& problem, const std::vector<int>& obstacle_passes);
 
 /// The field without headlands, whatever the settings ask for.
 PreparedField field_without_headlands(const PlanningProblem& problem);

@@ -145,14 +145,15 @@ TEST_F(RouteInFiles, SettingsAreThereOnlyWhereTheyAreOthers) {
   EXPECT_EQ(metadata(plan, "settings.route.order"), "(none)");
   EXPECT_EQ(metadata(plan, "settings.route.start"), "(none)");
   EXPECT_EQ(metadata(plan, "format_version"), "10");
-  plan.settings.route = {TrackOrder::kBySpacing, PassTime::kFirst, PassSequence::kOutwards, Point{0.25, 1.5},
-                         Point{100, 1.0 / 3}};
+  plan.settings.route = {TrackOrder::kBySpacing, PassTime::kFirst,    PassSequence::kOutwards,
+                         Point{0.25, 1.5},       Point{100, 1.0 / 3}, PassCorners::kRound};
   EXPECT_EQ(metadata(plan, "settings.route.passes"), "first");
   EXPECT_EQ(metadata(plan, "settings.route.start"), "0.25 1.5");
   const RouteSettings read = io::read_plan(file()).settings.route;
   EXPECT_EQ(read.order, TrackOrder::kBySpacing);
   EXPECT_EQ(read.passes, PassTime::kFirst);
   EXPECT_EQ(read.sequence, PassSequence::kOutwards);
+  EXPECT_EQ(read.corners, PassCorners::kRound);
   EXPECT_EQ(read.start, plan.settings.route.start);
   EXPECT_EQ(read.end, plan.settings.route.end);
 }

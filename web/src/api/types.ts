@@ -162,6 +162,7 @@ export interface PlanSettings {
   route?: boolean;
   order?: string;
   headland_time?: 'first' | 'last';
+  pass_corners?: 'auto' | 'round';
   start?: Place;
   end?: Place;
 }

@@ -6,7 +6,7 @@
 #include "tramline/headland/edges/chain_ground.h"
 #include "tramline/headland/headland.h"
 #include "tramline/headland/pass_boundaries.h"
-#include "tramline/headland/worth_driving.h"
+#include "tramline/headland/worth/worth_driving.h"
 
 namespace tramline {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/headland/worth_driving.h"
+#include "tramline/headland/worth/worth_driving.h"
 #include "tramline/model/headland.h"
 
 namespace tramline {

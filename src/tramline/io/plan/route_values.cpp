@@ -17,6 +17,7 @@ namespace {
 constexpr const char* kOrder = "settings.route.order";
 constexpr const char* kPasses = "settings.route.passes";
 constexpr const char* kSequence = "settings.route.sequence";
+constexpr const char* kCorners = "settings.route.corners";
 constexpr const char* kStart = "settings.route.start";
 constexpr const char* kEnd = "settings.route.end";
 constexpr const char* kBound = "route.bound_s";
@@ -98,6 +99,7 @@ void write_settings(const Plan& plan, Metadata& out) {
   if (settings.order != plain.order) out[kOrder] = name(settings.order);
   if (settings.passes != plain.passes) out[kPasses] = name(settings.passes);
   if (settings.sequence != plain.sequence) out[kSequence] = name(settings.sequence);
+  if (settings.corners != plain.corners) out[kCorners] = name(settings.corners);
   const Point offset = offset_of(plan.field.frame);
   write_gate(kStart, settings.start, offset, out);
   write_gate(kEnd, settings.end, offset, out);
@@ -137,6 +139,7 @@ void apply_route_values(const Metadata& metadata, const std::filesystem::path& f
   values.word(kOrder, track_order_named, settings.order);
   values.word(kPasses, pass_time_named, settings.passes);
   values.word(kSequence, pass_sequence_named, settings.sequence);
+  values.word(kCorners, pass_corners_named, settings.corners);
   const Point offset = offset_of(plan.field.frame);
   values.gate(kStart, offset, settings.start);
   values.gate(kEnd, offset, settings.end);

@@ -12,6 +12,7 @@
 #include "tramline/planner/headland_choice/foreseen_passes.h"
 #include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/headland_choice/relaid.h"
+#include "tramline/planner/headland_choice/trial_corners.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/prepare_field.h"
@@ -91,7 +92,10 @@ Plan plan_edited(const Plan& before, const Field& field, const Machine& machine,
   context.report();
   SearchResult found = laid_by_hand(problem, *prepared, before, context.uncounted());
   context.report();
-  Plan out = finished_plan(SearchTask(problem, *prepared), std::move(found), context);
+  HeadlandTrial trial{passes, problem, *prepared, std::move(found), {}};
+  trial.draft = drafted(SearchTask(trial.problem, trial.prepared), trial.found);
+  const bool by_routes = settings.aim == Aim::kWholeCost && settings.turns == TurnPlanning::kRoute;
+  Plan out = finished(by_routes ? or_with_worked_corners(std::move(trial)) : std::move(trial), context);
   out.proof = {};  // nothing was searched for
   if (context.cut_short()) mark_cut_short(out);
   return out;

@@ -9,6 +9,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/headland_choice/trial_corners.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
 
 namespace tramline {
@@ -182,8 +183,8 @@ HeadlandTrial or_behind_given(HeadlandTrial first, const PlanningProblem& proble
 HeadlandTrial with_cheapest_headlands(const PlanningProblem& problem, const Plan& layout,
                                       const SearchContext& context, const SearchContext& deepening) {
   assert(headlands_follow_turns(problem.settings) && problem.settings.turns == TurnPlanning::kRoute);
-  return or_behind_given(cheapest_behind(problem, layout, context, deepening), problem,
-                         context.uncounted().without_bound());
+  return or_with_worked_corners(or_behind_given(cheapest_behind(problem, layout, context, deepening), problem,
+                                                context.uncounted().without_bound()));
 }
 
 }  // namespace tramline

@@ -58,6 +58,8 @@ const char* name(Alternative alternative) {
       return "room for turns";
     case Alternative::kMovedLines:
       return "on moved lines";
+    case Alternative::kWorkedCorners:
+      return "corners worked out";
   }
   return "";
 }

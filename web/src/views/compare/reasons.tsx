@@ -147,4 +147,4 @@ function towards({ directions_deg }: ComparedRoute): string {
   return t`Towards ${shown}${directions_deg.length > 3 ? ' …' : ''}`;
 }
 const passes = ({ headlands, all_round, kind }: ComparedRoute) =>
-  `${headlands === 0 ? t`no headland` : all_round ? t`${plural(headlands, 'pass', 'passes')} all round` : t`${plural(headlands, 'pass', 'passes')} where tracks end`}${kind === 'adjacent order' ? t`, one track beside the other` : ''}`;
+  `${headlands === 0 ? t`no headland` : all_round ? t`${plural(headlands, 'pass', 'passes')} all round` : t`${plural(headlands, 'pass', 'passes')} where tracks end`}${kind === 'adjacent order' ? t`, one track beside the other` : ''}${kind === 'corners worked out' ? t`, corners worked out` : ''}`;

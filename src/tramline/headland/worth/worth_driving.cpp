@@ -1,66 +1,15 @@
-#include "tramline/headland/worth_driving.h"
+#include "tramline/headland/worth/worth_driving.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/headland/path_stretch.h"
-#include "tramline/headland/tolerances.h"
+#include "tramline/headland/worth/pass_work.h"
 
 namespace tramline {
 namespace {
 
-bool is_closed(const Path& path) { return distance(path.back().to, path.front().from) < kSamePlace_m; }
-
-/// Segments with the boxes of their swaths.
-class Bands {
- public:
-  explicit Bands(double width_m) : width_m_(width_m) {}
-
-  void add(const Path& path) {
-    for (const PathSegment& segment : path) {
-      segments_.push_back(segment);
-      boxes_.push_back(reach_of({segment}, width_m_));
-    }
-  }
-  void append_near(const Box& window, RisingCurves& out) const {
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-      if (intersects(window, boxes_[i])) append_band({segments_[i]}, width_m_, Layer::kCovered, out);
-  }
-
- private:
-  double width_m_;
-  Path segments_;
-  std::vector<Box> boxes_;
-};
-
-/// The area that a path, or a step of it, works.
-struct Work {
-  double worked_m2 = 0;  ///< without passable land
-  double fresh_m2 = 0;   ///< of the ground, for the first time
-
-  double in_vain_m2() const { return worked_m2 - fresh_m2; }
-  double worth_m2() const { return kMissedToDoubled * fresh_m2 - in_vain_m2(); }
-};
-
-double area_on(const Region& land, const Path& path, const Box& window, double width_m,
-               const Bands* covered) {
-  RisingCurves curves;
-  for (const Ring& ring : rings_of(land))
-    if (intersects(bounds(ring), window)) append_ring(ring, Layer::kBody, window, curves);
-  if (curves.empty()) return 0;
-  if (covered != nullptr) covered->append_near(window, curves);
-  append_band(path, width_m, Layer::kNew, curves);
-  return newly_covered_area(curves);
-}
-
-Work work_of(const Path& path, const GroundToWork& to_work, const Bands& covered) {
-  const Box window = reach_of(path, to_work.width_m);
-  Work out{to_work.width_m * length(path), area_on(to_work.ground, path, window, to_work.width_m, &covered)};
-  if (!to_work.passable.empty())
-    out.worked_m2 -= area_on(to_work.passable, path, window, to_work.width_m, nullptr);
-  return out;
-}
+double worth_m2(const PassWork& work) { return kMissedToDoubled * work.fresh_m2 - work.in_vain_m2(); }
 
 /// A short part of a path.
 struct Step {
@@ -69,7 +18,7 @@ struct Step {
   double worth_m2 = 0;
 };
 
-std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Bands covered) {
+std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Swaths covered) {
   const double step_m = 0.25 * to_work.width_m;
   std::vector<Step> out;
   double at_m = 0;
@@ -80,7 +29,7 @@ std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Bands 
       const Path part = stretch_of({segment}, length_m * i / count, length_m * (i + 1) / count);
       if (part.empty()) continue;
       out.push_back({at_m + length_m * i / count, at_m + length_m * (i + 1) / count,
-                     work_of(part, to_work, covered).worth_m2()});
+                     worth_m2(work_of(part, to_work, covered))});
       covered.add(part);
     }
     at_m += length_m;
@@ -149,20 +98,14 @@ std::vector<Run> best_runs(const std::vector<Step>& steps) {
   return out;
 }
 
-Bands bands_of(const std::vector<HeadlandPass>& passes, double width_m) {
-  Bands out(width_m);
-  for (const HeadlandPass& pass : passes) out.add(pass.path);
-  return out;
-}
-
 }  // namespace
 
 std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
                                 const std::vector<HeadlandPass>& before, double least_length_m) {
   constexpr double kNothingNew_share = 1e-3;
   const double length_m = length(path);
-  const Bands covered = bands_of(before, to_work.width_m);
-  const Work whole = work_of(path, to_work, covered);
+  const Swaths covered = swaths_of(before, to_work.width_m);
+  const PassWork whole = work_of(path, to_work, covered);
   const bool closed = is_closed(path);
   if (whole.fresh_m2 < kNothingNew_share * whole.worked_m2) return {};
   if (closed && whole.in_vain_m2() < kEndsOfPass_m2) return {path};
@@ -170,7 +113,7 @@ std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
   std::vector<Step> steps = steps_of(path, to_work, covered);
   if (closed) {
     const Run worst = worst_run(steps);
-    if (worst.sum_m2 >= -kEndsOfPass_m2 && whole.worth_m2() > 0) return {path};
+    if (worst.sum_m2 >= -kEndsOfPass_m2 && worth_m2(whole) > 0) return {path};
     steps = without(worst, steps, length_m);
   }
   std::vector<Path> out;
@@ -183,10 +126,10 @@ std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
 
 double worth_m2(const std::vector<Path>& parts, const GroundToWork& to_work,
                 const std::vector<HeadlandPass>& before) {
-  Bands covered = bands_of(before, to_work.width_m);
+  Swaths covered = swaths_of(before, to_work.width_m);
   double out = 0;
   for (const Path& part : parts) {
-    out += work_of(part, to_work, covered).worth_m2() - (is_closed(part) ? 0 : kEndsOfPass_m2);
+    out += worth_m2(work_of(part, to_work, covered)) - (is_closed(part) ? 0 : kEndsOfPass_m2);
     covered.add(part);
   }
   return out;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/headland/headland.h"
+#include "tramline/headland/worth/pass_work.h"
 
 namespace tramline {
 
@@ -13,13 +14,6 @@ inline constexpr double kMissedToDoubled = 5;
 /// The start or interruption of a pass counts as this much ground worked again, m²: a stop at the default
 /// prices.
 inline constexpr double kEndsOfPass_m2 = 250;
-
-/// Ground that passes are there to work.
-struct GroundToWork {
-  const Region& ground;
-  const Region& passable;  ///< land where the work is interrupted: driving there costs nothing
-  double width_m = 0;
-};
 
 /// The parts of a path, in their order, that are worth driving once the ground of the passes before is
 /// worked: of a closed path the whole, or the rest without stretches that work nearly nothing for the first
