@@ -85,6 +85,7 @@ std::optional<ExpectedTrial> with_worked_corners(const HeadlandTrial& trial, con
 HeadlandTrial or_with_worked_corners(HeadlandTrial trial) {
   std::optional<HeadlandTrial> best;
   for (const WorkOut& how : kWaysToWorkOut) {
+    if (how.times_the_cost > 1 && best) break;
     std::optional<ExpectedTrial> worked = with_worked_corners(trial, how);
     if (!worked || (best && !may_cost_less(price(trial) - worked->saved, price(*best)))) continue;
     HeadlandTrial& other = worked->trial;

@@ -12,7 +12,7 @@ namespace tramline {
 namespace {
 
 /// So many plans get their routes at the most.
-constexpr std::size_t kMostPlans = 3;
+constexpr std::size_t kMostPlans = 2;
 
 struct Hope {
   double expected = 0;  ///< EUR
@@ -40,7 +40,8 @@ void work_out_corners(RouteComparison& plans) {
   assert(plans.has_best());
   const double without = plans.least_price();
   const std::vector<std::size_t> round = best_of_each_depth(plans.plans(), without);
-  for (const WorkOut& how : kWaysToWorkOut)
+  for (const WorkOut& how : kWaysToWorkOut) {
+    if (how.times_the_cost > 1 && plans.least_price() < without) return;
     for (Hope& hope : hopes(plans, round, how)) {
       if (plans.has_to_end()) return;
       if (!may_cost_less(hope.expected, plans.least_price())) break;
@@ -51,6 +52,7 @@ void work_out_corners(RouteComparison& plans) {
       plans.tell_of(entry);
       plans.take(std::move(entry));
     }
+  }
 }
 
 }  // namespace tramline
