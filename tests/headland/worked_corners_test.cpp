@@ -81,7 +81,7 @@ TEST(WorkedCorners, KeepTheArcWhereItWorksLandBesideTheStraightPass) {
       << "a long and a short side, each with an arc before and a corner behind";
 }
 
-// Only the corner of 41° is worth 300: the pass is cut once, ends where it begins, and goes straight on
+// Only the corner of 41° is worth 400: the pass is cut once, ends where it begins, and goes straight on
 // there.
 TEST(WorkedCorners, OpenAPassAtOneCornerAlone) {
   const Field kite = field_of({{0, 0}, {200, 0}, {60, 120}, {0, 120}});

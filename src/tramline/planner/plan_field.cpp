@@ -1,6 +1,12 @@
 #include "tramline/planner/plan_field.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tramline/planner/headland_choice/headland_trial.h"
 #include "tramline/planner/headland_choice/room_beyond.h"
+#include "tramline/planner/headland_choice/trial_corners.h"
 #include "tramline/planner/plans/cheapest_route.h"
 #include "tramline/planner/plans/headlands_by_turns.h"
 #include "tramline/planner/plans/plan_by_routes.h"
@@ -9,6 +15,22 @@
 
 namespace tramline {
 namespace {
+
+/// A plan behind given passes, or with their corners worked out where its route then costs less.
+Plan or_with_worked_corners(Plan plan, const PlanningProblem& problem, const SearchContext& context) {
+  if (plan.headland.passes.empty() || plan.subfields.empty() || context.has_to_end()) return plan;
+  const PassesByBoundary none{std::vector<int>(problem.field.outer.size(), 0),
+                              std::vector<int>(problem.field.obstacles.size(), 0)};
+  const SearchContext laying = context.uncounted().without_bound();
+  std::optional<HeadlandTrial> trial =
+      headland_trial(problem, plan, as_set(problem, none), Offset::kOfLayout, laying);
+  if (!trial) return plan;
+  const std::vector<HeadlandPass> passes = trial->prepared.headland.passes;
+  HeadlandTrial worked = or_with_worked_corners(*std::move(trial));
+  if (worked.prepared.headland.passes == passes) return plan;
+  Plan out = finished(std::move(worked), laying);
+  return whole_cost(out).euros() < whole_cost(plan).euros() ? out : plan;
+}
 
 ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
   const bool whole =
@@ -22,6 +44,8 @@ ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Exp
     out = planned_with_headlands_for_turns(problem, decides, context);
   else
     out = searched_plan(problem, context, explain);
+  if (whole && !compares_routes(problem.settings) && !headlands_follow_turns(problem.settings))
+    out.plan = or_with_worked_corners(std::move(out.plan), problem, context);
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);
   if (context.cut_short()) mark_cut_short(out.plan);

@@ -81,6 +81,11 @@ TEST(PlansWithWorkedCorners, AreMadeOfGivenLayoutsToo) {
   along.headland_rule = HeadlandRule::kTurns;
   along.headlands = 0;
   EXPECT_EQ(closed_passes(planned(machine_of_24m(), along)), 0);
+  along.headland_rule = HeadlandRule::kPasses;
+  along.headlands = 1;
+  EXPECT_EQ(closed_passes(planned(machine_of_24m(), along)), 0);
+  along.aim = Aim::kCost;
+  EXPECT_EQ(closed_passes(planned(machine_of_24m(), along)), 1) << "the cost of tracks knows no stops there";
 
   const PlanSettings settings = whole_with_corners(PassCorners::kAuto);
   const Plan before = planned(machine_of_24m(), settings);
