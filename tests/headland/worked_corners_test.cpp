@@ -112,6 +112,19 @@ TEST(WorkedCorners, SpareAShortPassInATip) {
   EXPECT_EQ(out.headland.passes.size(), 2U);
 }
 
+// An edge as a receiver records it, 2 cm to and fro every 4 m: straight on from the beginning of the arc the
+// swath meets the edge at the next point that stands in, from farther back it gets past.
+TEST(WorkedCorners, AreReachedAlongRecordedEdges) {
+  Ring ring{{0, 0}, {200, 0}};
+  for (int i = 1; i < 25; ++i) ring.push_back({200 + (i % 2 == 0 ? 0.02 : -0.02), 4.0 * i});
+  ring.insert(ring.end(), {{200, 100}, {0, 100}});
+  const Field recorded = field_of(ring);
+  const HeadlandTerms terms = terms_of(recorded, kWidth_m, 6, 1);
+  const WorkedCorners out = worked(recorded, terms, prices(0));
+  EXPECT_EQ(out.headland.passes.size(), 4U);
+  EXPECT_LT(out.headland.uncovered_m2, 10) << "strips of some centimetres beside the edge";
+}
+
 // Driven the other way round, from the middle of the lower edge: cut there too, and straight on at the other
 // side of each corner.
 TEST(WorkedCorners, AreWorkedOutEitherWayRound) {

@@ -22,6 +22,11 @@ constexpr double kTightTurn_share = 1.5;
 constexpr double kTip_turns = 2;
 /// In such parts of the width it is found how far new land reaches.
 constexpr double kStep_share = 0.125;
+/// So many steps before an arc the pass may be left, where its line follows a boundary that is not quite
+/// straight: from some of its bends straight on leads farther than from others.
+constexpr int kStepsBefore = 8;
+/// By so much its heading may differ there from that at the arc, rad: more is no straight edge.
+constexpr double kSameLine_rad = 0.03;
 /// Of what a step works so much at least is new land where new land goes on.
 constexpr double kNewLand_share = 0.02;
 
@@ -35,7 +40,8 @@ struct AlongPass {
 /// A corner that is worked out.
 struct Corner {
   AlongPass arc;
-  PathSegment on;        ///< straight on from the beginning of the arc
+  double leaves_m = 0;   ///< where it is left straight on, at the beginning of the arc or shortly before, m
+  Path on;               ///< from there
   double resumes_m = 0;  ///< where the next part of the pass begins, m along the pass
   double saved = 0;
 };
@@ -154,7 +160,7 @@ class CornerWork {
     for (const AlongPass& arc : tight_turns(path, side, tightest_turn_m(terms_)))
       if (std::optional<Corner> corner = worked_out(arc, path, pass)) {
         corners.push_back(*corner);
-        covered_.add({corner->on});
+        covered_.add(corner->on);
       }
     const double length_m = length(path);
     while (drops_one(corners, length_m, closed)) continue;
@@ -180,23 +186,25 @@ class CornerWork {
            prices_.in_and_out_per_m * length(pass.path);
   }
 
-  static void append(const PathSegment& on, Path& path) {
+  static void append(const Path& on, Path& path) {
     if (path.back().straight())
-      path.back().to = on.to;
+      path.back().to = on.front().to;
     else
-      path.push_back(on);
+      path.push_back(on.front());
   }
 
   /// The corner of an arc worked out, if that saves anything.
   std::optional<Corner> worked_out(const AlongPass& arc, const Path& path, const HeadlandPass& pass) const {
     if (arc.from_m <= 0) return std::nullopt;
-    const std::optional<PathSegment> on = straight_on(arc, path, pass.number);
-    if (!on) return std::nullopt;
-    Corner out{arc, *on, arc.to_m};
-    out.saved = worth(work_of({*on}, to_work(), covered_)) - prices_.per_stop -
-                prices_.in_and_out_per_m * length(*on);
+    const std::optional<Corner> found = left_straight_on(arc, path, pass.number);
+    if (!found) return std::nullopt;
+    Corner out = *found;
+    const double before_m = arc.from_m - out.leaves_m;
+    const Path into = stretch_of(out.on, before_m, length(out.on));
+    out.saved = worth(work_of(into, to_work(), covered_)) - prices_.per_stop -
+                prices_.in_and_out_per_m * length(into);
     const double worth_of_arc =
-        worth(work_of(stretch_of(path, arc.from_m, arc.to_m), to_work(), all_but(arc, path, pass, *on)));
+        worth(work_of(stretch_of(path, arc.from_m, arc.to_m), to_work(), all_but(arc, path, pass, into)));
     if (worth_of_arc > 0)
       out.resumes_m = arc.from_m;
     else
@@ -205,28 +213,56 @@ class CornerWork {
     return out;
   }
 
-  /// As far as there is room and new land.
-  std::optional<PathSegment> straight_on(const AlongPass& arc, const Path& path, int number) const {
+  /// The corner with the pass left where straight on leads farthest, as far as there is new land; nullopt
+  /// where there is no room.
+  std::optional<Corner> left_straight_on(const AlongPass& arc, const Path& path, int number) const {
+    const double step_m = kStep_share * terms_.width_m;
+    const auto heading_at = [&](double at_m) {
+      return direction_at_end(stretch_of(path, at_m - std::min(step_m, at_m), at_m).back());
+    };
+    const Point heading = heading_at(arc.from_m);
+    std::optional<Corner> out;
+    double farthest_m = 0;
+    for (int i = 0; i <= kStepsBefore; ++i) {
+      const double leaves_m = arc.from_m - i * step_m;
+      if (leaves_m < step_m || dot(heading_at(leaves_m), heading) < std::cos(kSameLine_rad)) break;
+      const Path on = room_straight_on(stretch_of(path, leaves_m - step_m, leaves_m), number);
+      const double beyond_m = length(on) - (arc.from_m - leaves_m);
+      if (beyond_m < farthest_m + step_m) continue;
+      farthest_m = beyond_m;
+      out = {arc, leaves_m, on, arc.to_m};
+    }
+    if (!out) return std::nullopt;
+    const double before_m = arc.from_m - out->leaves_m;
+    const double reach_m = new_land_m(out->on, before_m);
+    if (reach_m <= before_m) return std::nullopt;
+    out->on = stretch_of(out->on, 0, reach_m);
+    return out;
+  }
+
+  /// Straight on from the end of a stretch of a pass, as far as the boundaries leave room.
+  Path room_straight_on(const Path& before, int number) const {
     std::vector<SwathLimit> limits;
     for (const Boundary& boundary : boundaries_)
       limits.push_back(
           {boundary.ring, headland_depth_m(boundary, std::min(number - 1, boundary.passes), terms_.width_m)});
     const double tightest_m = tightest_turn_m(terms_);
-    const Path before = stretch_of(path, std::max(0.0, arc.from_m - terms_.width_m), arc.from_m);
     const Point from = before.back().to, heading = direction_at_end(before.back());
-    const double step_m = kStep_share * terms_.width_m;
-    const Path on = driven_on(straight_path(from - step_m * heading, from), limits,
+    const Path on = driven_on(straight_path(from - heading, from), limits,
                               {terms_.width_m, tightest_m, 4 * (tightest_m + terms_.width_m), Along::kNone});
-    const double room_m = length(on) - step_m;
-    double reach_m = 0;
-    for (double at_m = 0; at_m < room_m; at_m += step_m) {
-      const double end_m = std::min(at_m + step_m, room_m);
-      const PathSegment step{from + at_m * heading, from + end_m * heading};
-      const PassWork work = work_of({step}, to_work(), covered_);
-      if (work.fresh_m2 > kNewLand_share * terms_.width_m * length(step)) reach_m = end_m;
+    return straight_path(from, on.back().to);
+  }
+
+  /// How far along the path there is new land, from so far on.
+  double new_land_m(const Path& on, double from_m) const {
+    const double step_m = kStep_share * terms_.width_m;
+    double out = from_m;
+    for (double at_m = from_m; at_m < length(on) - kSamePlace_m; at_m += step_m) {
+      const double end_m = std::min(at_m + step_m, length(on));
+      const PassWork work = work_of(stretch_of(on, at_m, end_m), to_work(), covered_);
+      if (work.fresh_m2 > kNewLand_share * terms_.width_m * (end_m - at_m)) out = end_m;
     }
-    if (reach_m <= 0) return std::nullopt;
-    return PathSegment{from, from + reach_m * heading};
+    return out;
   }
 
   /// All passes but for one.
@@ -238,24 +274,24 @@ class CornerWork {
   }
 
   /// All passes but for an arc of one, and what is driven straight on in its place.
-  Swaths all_but(const AlongPass& arc, const Path& path, const HeadlandPass& pass,
-                 const PathSegment& on) const {
+  Swaths all_but(const AlongPass& arc, const Path& path, const HeadlandPass& pass, const Path& on) const {
     Swaths out = all_but(pass);
     out.add(stretch_of(path, 0, arc.from_m));
     if (const double length_m = length(path); arc.to_m < length_m)
       out.add(stretch_of(path, arc.to_m, length_m));
-    out.add({on});
+    out.add(on);
     return out;
   }
 
+  /// Parts end where the pass is left for a corner.
   static std::vector<Part> parts_between(const std::vector<Corner>& corners, double length_m, bool closed) {
     std::vector<Part> out;
     const Corner& last = corners.back();
-    if (!closed) out.push_back({{0, corners.front().arc.from_m}, nullptr, &corners.front()});
+    if (!closed) out.push_back({{0, corners.front().leaves_m}, nullptr, &corners.front()});
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-      out.push_back({{corners[i].resumes_m, corners[i + 1].arc.from_m}, &corners[i], &corners[i + 1]});
+      out.push_back({{corners[i].resumes_m, corners[i + 1].leaves_m}, &corners[i], &corners[i + 1]});
     if (closed)
-      out.push_back({{last.resumes_m, length_m + corners.front().arc.from_m}, &last, &corners.front()});
+      out.push_back({{last.resumes_m, length_m + corners.front().leaves_m}, &last, &corners.front()});
     else if (last.resumes_m < length_m)
       out.push_back({{last.resumes_m, length_m}, &last, nullptr});
     return out;
