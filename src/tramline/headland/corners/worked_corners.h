@@ -31,13 +31,14 @@ struct WorkedCorners {
 
 /// Where a pass turns from its boundary round a corner as tightly as the machine can, land is left outside
 /// the arc: R²·(tan ½τ − ½τ) for a turn by τ at the outer radius R. There the pass is cut and driven straight
-/// on from the beginning of the arc, as far as its swath works land for the first time and reaches neither
-/// over a boundary nor into the land of passes farther out, if that saves more than it costs. The machine
-/// backs out along it, and the next part of the pass begins behind the arc, or with it where the land that
-/// the arc still works is worth it. No part is shorter than a width: of corners closer to one another those
-/// are worked out that save more. Short open passes in tips are left out where nothing is left for them that
-/// is worth a stop. All other passes stay as they are; new ones keep the number and the boundaries of the one
-/// they are parts of. O(c·n) for c corners and n segments of passes and corners of the ground.
+/// on from the beginning of the arc, or from up to a width before it where that leads farther past an uneven
+/// edge, as far as its swath works land for the first time and reaches neither over a boundary nor into the
+/// land of passes farther out, if that saves more than it costs. The machine backs out along it, and the next
+/// part of the pass begins behind the arc, or with it where the land that the arc still works is worth it. No
+/// part is shorter than a width: of corners closer to one another those are worked out that save more. Short
+/// open passes in tips are left out where nothing is left for them that is worth a stop. All other passes
+/// stay as they are; new ones keep the number and the boundaries of the one they are parts of. O(c·n) for c
+/// corners and n segments of passes and corners of the ground.
 /// `rounds`: by pass, how a closed one is driven; where the list ends early as in the headland.
 /// Preconditions: `headland` is that of the field behind these terms (headland_of()), which are drivable.
 WorkedCorners with_worked_corners(const Field& field, const HeadlandTerms& terms, const Headland& headland,
