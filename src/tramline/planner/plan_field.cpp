@@ -18,7 +18,10 @@ namespace {
 
 /// A plan behind given passes, or with their corners worked out where its route then costs less.
 Plan or_with_worked_corners(Plan plan, const PlanningProblem& problem, const SearchContext& context) {
-  if (plan.headland.passes.empty() || plan.subfields.empty() || context.has_to_end()) return plan;
+  const PlanSettings& settings = problem.settings;
+  const bool round =
+      settings.route.corners == PassCorners::kRound || settings.tracks != TrackConstruction::kParallel;
+  if (round || plan.headland.passes.empty() || plan.subfields.empty() || context.has_to_end()) return plan;
   const PassesByBoundary none{std::vector<int>(problem.field.outer.size(), 0),
                               std::vector<int>(problem.field.obstacles.size(), 0)};
   const SearchContext laying = context.uncounted().without_bound();
@@ -42,10 +45,10 @@ ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Exp
     out = plan_by_routes(problem, context, explain);
   else if (headlands_follow_turns(problem.settings))
     out = planned_with_headlands_for_turns(problem, decides, context);
-  else
+  else {
     out = searched_plan(problem, context, explain);
-  if (whole && !compares_routes(problem.settings) && !headlands_follow_turns(problem.settings))
-    out.plan = or_with_worked_corners(std::move(out.plan), problem, context);
+    if (whole) out.plan = or_with_worked_corners(std::move(out.plan), problem, context);
+  }
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);
   if (context.cut_short()) mark_cut_short(out.plan);

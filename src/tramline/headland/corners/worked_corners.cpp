@@ -122,6 +122,12 @@ class CornerWork {
     return out;
   }
 
+  /// Whether there is any pass for which it matters how tips count.
+  bool has_tips() const {
+    return std::ranges::any_of(headland_.passes,
+                               [this](const HeadlandPass& pass) { return lies_in_a_tip(pass); });
+  }
+
   /// By all corners so far.
   double saved() const { return saved_; }
 
@@ -221,12 +227,13 @@ class CornerWork {
       return direction_at_end(stretch_of(path, at_m - std::min(step_m, at_m), at_m).back());
     };
     const Point heading = heading_at(arc.from_m);
+    const std::vector<SwathLimit> limits = limits_of(number);
     std::optional<Corner> out;
     double farthest_m = 0;
     for (int i = 0; i <= kStepsBefore; ++i) {
       const double leaves_m = arc.from_m - i * step_m;
       if (leaves_m < step_m || dot(heading_at(leaves_m), heading) < std::cos(kSameLine_rad)) break;
-      const Path on = room_straight_on(stretch_of(path, leaves_m - step_m, leaves_m), number);
+      const Path on = room_straight_on(stretch_of(path, leaves_m - step_m, leaves_m), limits);
       const double beyond_m = length(on) - (arc.from_m - leaves_m);
       if (beyond_m < farthest_m + step_m) continue;
       farthest_m = beyond_m;
@@ -240,12 +247,17 @@ class CornerWork {
     return out;
   }
 
-  /// Straight on from the end of a stretch of a pass, as far as the boundaries leave room.
-  Path room_straight_on(const Path& before, int number) const {
-    std::vector<SwathLimit> limits;
+  /// What a pass of this number keeps off: boundaries, with the land of the passes farther out.
+  std::vector<SwathLimit> limits_of(int number) const {
+    std::vector<SwathLimit> out;
     for (const Boundary& boundary : boundaries_)
-      limits.push_back(
+      out.push_back(
           {boundary.ring, headland_depth_m(boundary, std::min(number - 1, boundary.passes), terms_.width_m)});
+    return out;
+  }
+
+  /// Straight on from the end of a stretch of a pass, as far as the limits leave room.
+  Path room_straight_on(const Path& before, const std::vector<SwathLimit>& limits) const {
     const double tightest_m = tightest_turn_m(terms_);
     const Point from = before.back().to, heading = direction_at_end(before.back());
     const Path on = driven_on(straight_path(from - heading, from), limits,
@@ -330,6 +342,7 @@ WorkedCorners with_worked_corners(const Field& field, const HeadlandTerms& terms
   WorkedCorners out{headland, 0};
   for (const Tips tips : {Tips::kWorked, Tips::kLeft}) {
     CornerWork corners(field, terms, headland, prices, rounds, tips);
+    if (tips == Tips::kLeft && !corners.has_tips()) break;
     std::vector<HeadlandPass> passes = corners.all();
     if (corners.saved() <= out.saved) continue;
     out.headland.passes = std::move(passes);
