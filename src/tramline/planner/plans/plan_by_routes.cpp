@@ -122,7 +122,7 @@ ExplainedPlan planned_as_asked(const PlanningProblem& asked, const SearchContext
 /// Whether a plan whose tracks may pass the boundary has so little room that one within it may cost less:
 /// tracks that keep within it can be left forward, and those beside it are given up.
 bool may_cost_less_within(const Plan& plan) {
-  return backs_out(plan) || hardly_works(plan) || whole_cost(plan).without_room > 0;
+  return backs_out_of_tracks(plan) || hardly_works(plan) || whole_cost(plan).without_room > 0;
 }
 
 /// The plan of less cost, the first where both cost the same, which tells of what either was compared with.

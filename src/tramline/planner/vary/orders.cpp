@@ -23,7 +23,7 @@ void try_adjacent_order(RouteComparison& plans) {
   assert(plans.has_best());
   if (is_given(plans)) return;
   const PlanDraft& best = plans.best().draft;
-  if (best.gave_up || backs_out(best.plan) || best.plan.route.over_tracks_m > 0)
+  if (best.gave_up || backs_out_of_tracks(best.plan) || best.plan.route.over_tracks_m > 0)
     plans.improves(in_adjacent_order(plans));
 }
 

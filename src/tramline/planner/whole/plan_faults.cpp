@@ -11,21 +11,33 @@ constexpr std::ptrdiff_t kSeldomBacksOut = 4;
 constexpr std::size_t kFewTracks = 16, kNextToNone = 4;
 constexpr double kMostOfCost = 0.5;
 
-std::ptrdiff_t back_outs(const Plan& plan) {
-  return std::count_if(plan.route.legs.begin(), plan.route.legs.end(),
-                       [](const RouteLeg& leg) { return leg.kind == LegKind::kBackOut; });
+/// How often a track comes before or after backing out. Out of corners of passes all round the machine backs
+/// wherever it pays, however much room there is.
+std::ptrdiff_t backs_out_of_tracks(const Route& route) {
+  std::ptrdiff_t out = 0, since_work = 0;
+  bool after_track = false;
+  for (const RouteLeg& leg : route.legs) {
+    if (leg.kind == LegKind::kBackOut) ++since_work;
+    if (!leg.work) continue;
+    const bool track = leg.piece.has_value();
+    if (track || after_track) out += since_work;
+    since_work = 0;
+    after_track = track;
+  }
+  return out + (after_track ? since_work : 0);
 }
 
 }  // namespace
 
-bool backs_out(const Plan& plan) { return back_outs(plan) > 0; }
+bool backs_out_of_tracks(const Plan& plan) { return backs_out_of_tracks(plan.route) > 0; }
 
 bool leaves_land(const PlanDraft& draft) {
   return legs_without_room(draft.plan.route, draft.plan.machine) + 1 > draft.parts;
 }
 
 bool lacks_room(const PlanDraft& draft) {
-  return leaves_land(draft) || kSeldomBacksOut * back_outs(draft.plan) > std::ssize(draft.plan.pieces);
+  return leaves_land(draft) ||
+         kSeldomBacksOut * backs_out_of_tracks(draft.plan.route) > std::ssize(draft.plan.pieces);
 }
 
 bool has_few_tracks(const Plan& plan) { return plan.pieces.size() <= kFewTracks; }

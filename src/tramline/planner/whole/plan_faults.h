@@ -6,8 +6,8 @@
 
 namespace tramline {
 
-/// Whether its route backs out of or into tracks or passes. O(legs), as all that follow.
-bool backs_out(const Plan& plan);
+/// Whether its route backs out of or into tracks. O(legs), as all that follow.
+bool backs_out_of_tracks(const Plan& plan);
 
 /// Whether a route has more legs without room than it takes to go from each part of the land to the next.
 bool leaves_land(const PlanDraft& draft);
