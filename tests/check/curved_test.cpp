@@ -85,7 +85,7 @@ TEST(CurvedPlans, ObstacleAcrossACurvedTrack) {
 }
 
 TEST(CurvedPlans, TurningAndMovingChangesNothing) {
-  for (const double degrees : {1.0, 33.3, 122.4})
+  for (const double degrees : {1.0, 122.4})
     for (const Plan& plan : {arcs_plan(), blocked_arc_plan()})
       expect_holds(settled(turned(plan, Angle::degrees(degrees), {-712.3, 455.1})));
 }
@@ -455,7 +455,7 @@ TEST(CurvedPlans, CrossSectionsOfArcs) {
 TEST(CurvedPlans, LargePlansAreJudged) {
   Plan plan;
   plan.machine.width_m = 3;
-  const int tracks = 100, waves = 6;
+  const int tracks = 60, waves = 6;
   // Arcs to the left and to the right of 15° each, about points on two rows.
   const auto line = [](double off) {
     Path curve;
