@@ -257,22 +257,45 @@ TEST(Route, TellsWorkedFromUnworkedLand) {
             sums_of(last.route).not_working_m() + 1e-6);
 }
 
-// A spur as wide as the machine: it can only be left in reverse, until the bar has come out of it.
+/// A field with a spur as wide as the machine.
+Field field_with_spur(double spur_m) {
+  Field out;
+  out.id = "spur";
+  out.outer = {{0, 0}, {100 + spur_m, 0}, {100 + spur_m, 6}, {100, 6}, {100, 100}, {0, 100}};
+  return out;
+}
+
+PlanSettings cheapest_within_boundary() {
+  PlanSettings out = whole_route(0);
+  out.headland_rule = HeadlandRule::kTurns;
+  out.boundary = EdgeKind::kHard;
+  out.aim = Aim::kWholeCost;
+  return out;
+}
+
+// Between gates in the field it can only be left in reverse, until the bar has come out of it.
 TEST(Route, BacksOutOfASpurByTheWayItCameIn) {
   for (const double spur_m : {40.0, 120.0}) {
-    Field field;
-    field.id = "spur";
-    field.outer = {{0, 0}, {100 + spur_m, 0}, {100 + spur_m, 6}, {100, 6}, {100, 100}, {0, 100}};
-    PlanSettings settings = whole_route(0);
-    settings.headland_rule = HeadlandRule::kTurns;
-    settings.boundary = EdgeKind::kHard;
-    settings.aim = Aim::kWholeCost;
-    const Plan plan = plan_field(field, {"", 6, 6}, {}, settings);
+    PlanSettings settings = cheapest_within_boundary();
+    settings.route.start = settings.route.end = Point{50, 94};
+    settings.route.corners = PassCorners::kRound;
+    const Plan plan = plan_field(field_with_spur(spur_m), {"", 6, 6}, {}, settings);
     expect_sound(plan);
     const RouteSums sums = sums_of(plan.route);
     EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
     EXPECT_GE(sums.reverse_m, spur_m);
     EXPECT_LE(sums.reverse_m, spur_m + 60);
+  }
+}
+
+// Where passes come last and there is no gate nothing is left to do behind it.
+TEST(Route, EndsInASpurThatItNeedNotLeave) {
+  for (const double spur_m : {40.0, 120.0}) {
+    const Plan plan = plan_field(field_with_spur(spur_m), {"", 6, 6}, {}, cheapest_within_boundary());
+    expect_sound(plan);
+    EXPECT_EQ(legs_without_room(plan.route, plan.machine), 0U);
+    EXPECT_LT(sums_of(plan.route).reverse_m, spur_m);
+    EXPECT_GT(end_of(plan.route.legs.back().path.back()).at.x, 100);
   }
 }
 

@@ -77,8 +77,7 @@ inline void expect_on_the_land(const Plan& plan) {
 inline void expect_sound(const Plan& plan) {
   expect_joined(plan);
   expect_all_driven(plan);
-  const double time_s = sums_of(plan.route).time_s;
-  EXPECT_LE(plan.route.proof.bound_s, time_s * (1 + 1e-9));
+  EXPECT_LE(plan.route.proof.bound_s, priced_time_s(plan.route) * (1 + 1e-9));
   EXPECT_GT(plan.route.proof.bound_s, 0);
 }
 

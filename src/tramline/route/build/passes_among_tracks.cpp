@@ -52,13 +52,6 @@ std::vector<Point> places_on(const std::vector<std::size_t>& passes, const Entri
   return out;
 }
 
-/// Ways without room, and what all cost, with that to where the route goes at least.
-std::pair<std::size_t, double> effort(const RouteSoFar& route, std::optional<Point> ahead,
-                                      const LeastSeconds& least) {
-  const bool goes_on = ahead && !route.left.empty();
-  return {route.lacking, route.cost_s + (goes_on ? least.to_gate(*ahead, end_of(route.left)) : 0)};
-}
-
 }  // namespace
 
 void drive_tracks(RouteDriver& driver, OrderedTracks& tracks, const std::vector<PassesAmongTracks>& among) {

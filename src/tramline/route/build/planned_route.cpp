@@ -80,7 +80,8 @@ class RoutePlanner {
     const std::vector<PartWork> parts = work_by_part(route_lines_, task_.headland, {start_, end_}, ground_);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (i > 0) driver_.leave_part();
-      ahead_ = i + 1 < parts.size() ? parts[i].next : end_;
+      is_last_part_ = i + 1 == parts.size();
+      ahead_ = is_last_part_ ? end_ : parts[i].next;
       add_part(parts[i], given);
     }
     if (end_) driver_.drive_to(*end_);
@@ -102,7 +103,7 @@ class RoutePlanner {
   void add_part(const PartWork& work, const std::vector<order::Tour>& given) {
     const Groups groups = pass_groups(work.passes);
     const bool first = task_.settings.route.passes == PassTime::kFirst;
-    if (first) add_passes(groups);
+    if (first) add_groups(groups);
     OrderedTracks tracks =
         ordered_tracks(work.lines, given, first || groups.empty() ? PassGroup{} : groups.front());
     if (first) return drive_tracks(driver_, tracks, {});
@@ -111,7 +112,7 @@ class RoutePlanner {
                                    [&](const std::vector<PassesAmongTracks>& among) {
                                      driver_.go_back_to(before);
                                      drive_tracks(driver_, tracks, among);
-                                     add_passes(others(groups, among));
+                                     add_passes_best(others(groups, among));
                                    });
   }
 
@@ -153,9 +154,53 @@ class RoutePlanner {
             [&](order::End entered, const SteeredPath& axle) { return way_to_first(entered, axle, costs); }};
   }
 
-  /// Those round the outside first where passes come first, and last where they come last: the others lie
-  /// between them and the tracks.
-  void add_passes(const Groups& groups) {
+  /// The groups one after the other, or otherwise where the route then lacks room less often or costs less.
+  /// On the last part of the land alone: what would lead on to other work is not known yet, and passes that
+  /// end in an arm take less only where the machine need not come out of it.
+  void add_passes_best(const Groups& groups) {
+    const RouteSoFar before = so_far();
+    add_groups(groups);
+    if (!is_last_part_) return;
+    for (const Groups& other : grouped_otherwise(groups)) {
+      RouteSoFar best = so_far();
+      const auto known = effort_to_end();
+      driver_.go_back_to(before);
+      add_groups(other);
+      if (!(effort_to_end() < known)) driver_.go_back_to(std::move(best));
+    }
+  }
+
+  /// Of the route as it would go on to the gate.
+  std::pair<std::size_t, double> effort_to_end() {
+    if (!end_) return effort(so_far(), std::nullopt, least_);
+    RouteSoFar before = so_far();
+    driver_.drive_to(*end_);
+    const auto out = effort(so_far(), std::nullopt, least_);
+    driver_.go_back_to(std::move(before));
+    return out;
+  }
+
+  /// Closed passes before open ones, and all as they lie, which for open passes alone is another search.
+  static std::vector<Groups> grouped_otherwise(const Groups& groups) {
+    if (groups.size() > 1) return {other_way_round(groups), all_in_one(groups)};
+    const bool has_other_orders = !groups.empty() && groups[0].as_lines && groups[0].passes.size() > 1;
+    return has_other_orders ? std::vector<Groups>{all_in_one(groups)} : std::vector<Groups>{};
+  }
+
+  static Groups other_way_round(Groups groups) {
+    std::swap(groups.front().ahead, groups.back().ahead);
+    std::ranges::reverse(groups);
+    return groups;
+  }
+
+  static Groups all_in_one(const Groups& groups) {
+    PassGroup all{{}, false, groups.back().ahead};
+    for (const PassGroup& group : groups) std::ranges::copy(group.passes, std::back_inserter(all.passes));
+    std::ranges::sort(all.passes);
+    return {all};
+  }
+
+  void add_groups(const Groups& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (groups[i].as_lines)
         add_open(groups[i].passes, i + 1 < groups.size() ? groups[i + 1] : PassGroup{});
@@ -163,7 +208,8 @@ class RoutePlanner {
         driver_.drive_passes(groups[i]);
   }
 
-  /// In the order in which they are driven.
+  /// Closed passes, which mostly go round the outside, first where passes come first and last where they come
+  /// last: the others lie between them and the tracks.
   Groups pass_groups(const std::vector<std::size_t>& passes) const {
     PassGroup open{{}, true}, closed, all{passes};
     for (const std::size_t i : passes)
@@ -303,6 +349,7 @@ class RoutePlanner {
   RouteDriver driver_;
   bool gave_up_ = false;        ///< an order of lines
   std::optional<Point> ahead_;  ///< where the route goes once the part is worked
+  bool is_last_part_ = false;
 };
 
 }  // namespace

@@ -6,6 +6,12 @@
 
 namespace tramline {
 
+std::pair<std::size_t, double> effort(const RouteSoFar& route, std::optional<Point> ahead,
+                                      const LeastSeconds& least) {
+  const bool goes_on = ahead && !route.left.empty();
+  return {route.lacking, route.cost_s + (goes_on ? least.to_gate(*ahead, end_of(route.left)) : 0)};
+}
+
 RouteDriver::RouteDriver(const RouteTask& task, const RouteContext& context, std::optional<Point> start)
     : task_(task), context_(context), start_(start), so_far_{LegList(task.field, task.machine.turning)} {}
 
@@ -22,12 +28,16 @@ Way RouteDriver::as_driven(Way way, const SteeredPath& work) {
   return way.has_room() || left.empty() ? way : context_.squeezed.along_the_land(std::move(way), left, work);
 }
 
-void RouteDriver::follow(const Way& way, const SteeredPath& work) {
+void RouteDriver::add(const Way& way) {
   if (!way.path.empty()) so_far_.legs.add(way);
-  so_far_.left = driven_forward(so_far_.left, way, work);
-  so_far_.leaves_part = false;
   so_far_.cost_s += way.cost_s;
   if (!way.has_room()) ++so_far_.lacking;
+}
+
+void RouteDriver::follow(const Way& way, const SteeredPath& work) {
+  add(way);
+  so_far_.left = driven_forward(so_far_.left, way, work);
+  so_far_.leaves_part = false;
 }
 
 void RouteDriver::drive_line(const Way& way, order::End entered) {
@@ -58,7 +68,7 @@ void RouteDriver::drive_passes(const PassGroup& group) {
 
 void RouteDriver::drive_to(Point gate) {
   if (so_far_.left.empty()) return;
-  so_far_.legs.add(context_.connector.measured(context_.connector.to_gate(so_far_.left, gate)));
+  add(context_.connector.measured(context_.connector.to_gate(so_far_.left, gate)));
 }
 
 PassTask RouteDriver::pass_task(const PassGroup& group) const {

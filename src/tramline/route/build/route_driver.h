@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -33,6 +34,11 @@ struct RouteSoFar {
   std::size_t lacking = 0;   ///< ways without room
   double cost_s = 0;         ///< of all ways
 };
+
+/// Ways without room, and what all cost, with that to where the route goes next at least: of two routes over
+/// the same works the one of less effort is better. O(1).
+std::pair<std::size_t, double> effort(const RouteSoFar& route, std::optional<Point> ahead,
+                                      const LeastSeconds& least);
 
 /// What a route is made of and found with. All references outlive it.
 struct RouteContext {
@@ -80,6 +86,7 @@ class RouteDriver {
   const RouteTask& task() const { return task_; }
 
  private:
+  void add(const Way& way);
   void follow(const Way& way, const SteeredPath& work);
 
   const RouteTask& task_;
