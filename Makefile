@@ -6,8 +6,7 @@ export TRAMLINE_DATA
 
 RELEASE := build/release
 TRAMLINE := $(RELEASE)/apps/tramline/tramline
-# One test more than there are processors: some mostly wait for a clock, a browser or a drive.
-CTEST := ctest --parallel $(shell expr $(JOBS) + 1) --output-on-failure --no-tests=error
+CTEST := ctest --parallel $(JOBS) --output-on-failure --no-tests=error
 SOURCES = $(shell git ls-files '*.cpp' '*.h')
 # Longest a part of `make long` may take.
 LIMIT := timeout --foreground 60m

@@ -112,7 +112,7 @@ class RoutePlanner {
                                    [&](const std::vector<PassesAmongTracks>& among) {
                                      driver_.go_back_to(before);
                                      drive_tracks(driver_, tracks, among);
-                                     add_passes_best(others(groups, among));
+                                     add_passes_in_best_order(others(groups, among));
                                    });
   }
 
@@ -155,9 +155,9 @@ class RoutePlanner {
   }
 
   /// The groups one after the other, or otherwise where the route then lacks room less often or costs less.
-  /// On the last part of the land alone: what would lead on to other work is not known yet, and passes that
-  /// end in an arm take less only where the machine need not come out of it.
-  void add_passes_best(const Groups& groups) {
+  /// On the last part of the land alone: before other work it is not known yet what it takes to come out of
+  /// an arm in which passes end.
+  void add_passes_in_best_order(const Groups& groups) {
     const RouteSoFar before = so_far();
     add_groups(groups);
     if (!is_last_part_) return;
