@@ -273,7 +273,7 @@ PlanSettings cheapest_within_boundary() {
   return out;
 }
 
-// Between gates in the field it can only be left in reverse, until the bar has come out of it.
+// Between gates in the field a spur can only be left in reverse, until the bar has come out of it.
 TEST(Route, BacksOutOfASpurByTheWayItCameIn) {
   for (const double spur_m : {40.0, 120.0}) {
     PlanSettings settings = cheapest_within_boundary();
@@ -288,7 +288,7 @@ TEST(Route, BacksOutOfASpurByTheWayItCameIn) {
   }
 }
 
-// Where passes come last and there is no gate nothing is left to do behind it.
+// Where passes come last and there is no gate, nothing is left to do once the spur is worked.
 TEST(Route, EndsInASpurThatItNeedNotLeave) {
   for (const double spur_m : {40.0, 120.0}) {
     const Plan plan = plan_field(field_with_spur(spur_m), {"", 6, 6}, {}, cheapest_within_boundary());
