@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/headland/body.h"
 #include "tramline/headland/driven_on.h"
 #include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/pass_tally.h"
