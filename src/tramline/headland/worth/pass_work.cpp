@@ -1,9 +1,14 @@
 #include "tramline/headland/worth/pass_work.h"
 
+#include <algorithm>
+
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
+
+/// Segments in a section: those that follow one another lie together.
+constexpr std::size_t kInSection = 32;
 
 double area_on(const Region& land, const Path& path, const Box& window, double width_m,
                const Swaths* covered) {
@@ -22,14 +27,20 @@ bool is_closed(const Path& path) { return distance(path.back().to, path.front().
 
 void Swaths::add(const Path& path) {
   for (const PathSegment& segment : path) {
+    if (segments_.size() % kInSection == 0) sections_.emplace_back();
     segments_.push_back(segment);
     boxes_.push_back(reach_of({segment}, width_m_));
+    sections_.back().extend(boxes_.back());
   }
 }
 
 void Swaths::append_near(const Box& window, RisingCurves& out) const {
-  for (std::size_t i = 0; i < segments_.size(); ++i)
-    if (intersects(window, boxes_[i])) append_band({segments_[i]}, width_m_, Layer::kCovered, out);
+  for (std::size_t section = 0; section < sections_.size(); ++section) {
+    if (!intersects(window, sections_[section])) continue;
+    const std::size_t first = section * kInSection;
+    for (std::size_t i = first; i < std::min(first + kInSection, segments_.size()); ++i)
+      if (intersects(window, boxes_[i])) append_band({segments_[i]}, width_m_, Layer::kCovered, out);
+  }
 }
 
 Swaths swaths_of(const std::vector<HeadlandPass>& passes, double width_m) {

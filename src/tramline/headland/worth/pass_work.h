@@ -24,13 +24,14 @@ class Swaths {
   explicit Swaths(double width_m) : width_m_(width_m) {}
 
   void add(const Path& path);
-  /// Those that reach into the window, as covered land. O(all segments).
+  /// Those that reach into the window, as covered land. O(segments / 32 + those of sections near it).
   void append_near(const Box& window, RisingCurves& out) const;
 
  private:
   double width_m_;
   Path segments_;
   std::vector<Box> boxes_;
+  std::vector<Box> sections_;  ///< each round the boxes of so many segments that follow one another
 };
 
 Swaths swaths_of(const std::vector<HeadlandPass>& passes, double width_m);
