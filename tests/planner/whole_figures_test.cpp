@@ -70,6 +70,21 @@ TEST(WholeFigures, LandOfTheHeadlandThatNothingWorksCounts) {
   EXPECT_TRUE(std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const std::string& warning) {
     return warning.find("stays unworked") != std::string::npos;
   }));
+  const auto narrow = std::ranges::find_if(plan.warnings, [](const std::string& warning) {
+    return warning.find("narrower than the machine") != std::string::npos;
+  });
+  ASSERT_NE(narrow, plan.warnings.end());
+  EXPECT_NEAR(std::stod(*narrow), 960, 10) << *narrow;  // what is left beside the mouth is not narrow
+}
+
+// Tracks 12 m wide leave corners of more than 2 % of a small field, none of them narrower than a track.
+TEST(WholeFigures, LandThatIsNotNarrowIsNotCalledSo) {
+  PlanSettings settings;
+  settings.headlands = 1;
+  const Plan plan = plan_field(field_of({{0, 0}, {60, 0}, {60, 40}, {0, 40}}), machine(12, 6), {}, settings);
+  ASSERT_GT(plan.tally.uncovered_m2, 0.02 * 60 * 40);
+  for (const std::string& warning : plan.warnings)
+    EXPECT_EQ(warning.find("narrower"), std::string::npos) << warning;
 }
 
 // A rectangle with one pass: the four corners that the pass rounds are left, each r² − πr²/4 … of the outer

@@ -3,6 +3,7 @@
 export const PROGRAM: Readonly<Record<string, string>> = {
   // Remarks on plans
   '{0} % of the land, {1} m², stays unworked': '{0} % der Fläche, {1} m², bleiben unbearbeitet',
+  '{0} m² of what stays unworked lie where the land is narrower than the machine': '{0} m² davon liegen, wo die Fläche schmaler als die Maschine ist',
   'swaths pass the field boundary by up to {0} m ({1} m² in all); say that the machine cannot leave the field to turn, and they stay inside':
     'Bahnen gehen bis zu {0} m über die Feldgrenze hinaus (insgesamt {1} m²); geben Sie an, dass die Maschine das Feld zum Wenden nicht verlassen kann, dann bleiben sie innerhalb',
   '{0} m² between obstacles, or between obstacles and the edge, are narrower than the machine and are given up':

@@ -7,9 +7,35 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/outline_distance.h"
+#include "tramline/headland/body.h"
+#include "tramline/planner/given/narrow_tails.h"
 
 namespace tramline {
 namespace {
+
+/// Much land is left where it is more than this share of all.
+constexpr double kMuch_share = 0.02;
+
+/// The land on which no swath fits, corners left out.
+Region narrow_land(const Field& field, double width_m) {
+  Region out;
+  for (const Polygon& part :
+       difference({{field.outer, {}}}, unite(obstacle_shapes(field, ObstacleKind::kObstacle)))) {
+    const Region tails = narrow_tails(part, width_m, width_m);
+    out.insert(out.end(), tails.begin(), tails.end());
+  }
+  return out;
+}
+
+/// Why much land stays unworked, where that is the land's fault. Land that is given up is told of by itself.
+void warn_of_narrow_land(const Plan& plan, std::vector<std::string>& out) {
+  if (unworked_land_warning(plan).empty()) return;
+  const Region narrow = intersection(plan.uncovered, narrow_land(plan.field, plan.machine.width_m));
+  const double unworked_m2 = area(difference(narrow, plan.given_up));
+  if (unworked_m2 <= kMuch_share * land_m2(plan)) return;
+  out.push_back(fmt::format(
+      "{:.0f} m² of what stays unworked lie where the land is narrower than the machine", unworked_m2));
+}
 
 void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
   constexpr double kWorthSaying_m = 0.01;
@@ -115,7 +141,6 @@ void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) 
 }  // namespace
 
 std::string unworked_land_warning(const Plan& plan) {
-  constexpr double kMuch_share = 0.02;
   const double land = land_m2(plan), unworked = plan.tally.uncovered_m2;
   if (is_repair(plan) || unworked <= kMuch_share * land) return "";
   return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
@@ -156,6 +181,7 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   std::vector<std::string> out;
   if (std::string unworked = unworked_land_warning(plan); !unworked.empty())
     out.push_back(std::move(unworked));
+  warn_of_narrow_land(plan, out);
   out.insert(out.end(), plan.field.warnings.begin(), plan.field.warnings.end());
   const std::vector<std::string>& remarks = plan.settings.given.remarks;
   out.insert(out.end(), remarks.begin(), remarks.end());

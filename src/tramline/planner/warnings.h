@@ -14,9 +14,10 @@ namespace tramline {
 inline constexpr const char* kConnectionsUnplanned =
     "connections between tracks are not planned yet: only the order of the pieces is";
 
-/// The warnings about a plan, one line each: much land that stays unworked, warnings about the field, swaths
-/// past the boundary and by how much, land given up between obstacles, dropped and short pieces, and
-/// kConnectionsUnplanned or, with a route, the legs on which it leaves the land.
+/// The warnings about a plan, one line each: much land that stays unworked, and how much of it is narrower
+/// than the machine, warnings about the field, swaths past the boundary and by how much, land given up
+/// between obstacles, dropped and short pieces, and kConnectionsUnplanned or, with a route, the legs on which
+/// it leaves the land.
 std::vector<std::string> warnings_about(const Plan& plan);
 
 /// Adds that the route works so many parts of the land one after the other; nothing where it is one.
