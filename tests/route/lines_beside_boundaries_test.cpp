@@ -79,6 +79,21 @@ TEST_F(BesideBoundaries, AreFoundOnce) {
   EXPECT_EQ(&beside.found({}, field_, ground()), first);
 }
 
+// With the corners of a pass round the field worked out there is a pass in parts, and none that goes round.
+TEST_F(BesideBoundaries, AreThoseOfTheHeadlandWithItsCornersWorkedOutToo) {
+  Headland round, in_parts;
+  const Path along = {
+      {{2, 2}, {98, 2}, 0}, {{98, 2}, {98, 58}, 0}, {{98, 58}, {2, 58}, 0}, {{2, 58}, {2, 2}, 0}};
+  round.passes = {{along, 1, true, {}}};
+  for (const PathSegment& side : along) in_parts.passes.push_back({{side}, 1, true, {}});
+  const LinesBesideBoundaries beside;
+  const auto& behind_round = beside.found(round, field_, ground());
+  const auto& behind_parts = beside.found(in_parts, field_, ground());
+  EXPECT_EQ(behind_round.size(), 1U) << "round the pond";
+  EXPECT_EQ(behind_parts.size(), 2U) << "round the field too";
+  EXPECT_EQ(&beside.found(round, field_, ground()), &behind_round);
+}
+
 /// A bar 2 m wide keeps 1.1 m off. Those of another width are others, and the first ones stay.
 TEST_F(BesideBoundaries, AreFoundOnceForEachNarrowerMachine) {
   const LinesForNarrower beside;

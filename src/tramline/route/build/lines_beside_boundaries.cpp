@@ -1,7 +1,6 @@
 #include "tramline/route/build/lines_beside_boundaries.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "tramline/route/axle/axle_path.h"
@@ -51,12 +50,12 @@ std::vector<FollowedLine> lines_beside_boundaries(const Headland& headland, cons
 
 const std::vector<FollowedLine>& LinesBesideBoundaries::found(const Headland& headland, const Field& field,
                                                               const DrivingGround& ground) const {
-  std::call_once(once_, [&] {
-    terms_ = beside_bare_boundaries(headland, field, ground);
-    lines_ = lines_beside_boundaries(headland, field, ground);
-  });
-  assert(terms_ == beside_bare_boundaries(headland, field, ground));
-  return lines_;
+  const HeadlandTerms terms = beside_bare_boundaries(headland, field, ground);
+  const std::lock_guard taken(taken_);
+  const auto known =
+      std::ranges::find(by_terms_, terms, &std::pair<HeadlandTerms, std::vector<FollowedLine>>::first);
+  if (known != by_terms_.end()) return known->second;
+  return by_terms_.emplace_back(terms, lines_beside_boundaries(headland, field, ground)).second;
 }
 
 const std::vector<FollowedLine>& LinesForNarrower::round_all(const Field& field,

@@ -1,8 +1,10 @@
 #pragma once
 // Lines along which a machine may drive beside boundaries that have no headland pass.
 
+#include <list>
 #include <map>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "tramline/headland/headland.h"
@@ -17,18 +19,21 @@ namespace tramline {
 std::vector<FollowedLine> lines_beside_boundaries(const Headland& headland, const Field& field,
                                                   const DrivingGround& ground);
 
-/// These lines, found by the first route that needs them, for all routes behind the same headland: some need
-/// none, and finding them takes as long as a route. For any number of threads.
+/// These lines, found by the first route that needs them, for all routes behind the same headland, also with
+/// its corners worked out: some need none, and finding them takes as long as a route. For any number of
+/// threads.
 class LinesBesideBoundaries {
  public:
-  /// Precondition: field, machine, and the boundaries that have passes are those of the first call.
+  /// Those of a headland, which stay where they are. Precondition: field and machine are those of the first
+  /// call.
   const std::vector<FollowedLine>& found(const Headland& headland, const Field& field,
                                          const DrivingGround& ground) const;
 
  private:
-  mutable std::once_flag once_{};
-  mutable HeadlandTerms terms_{};  ///< of passes along them
-  mutable std::vector<FollowedLine> lines_{};
+  mutable std::mutex taken_{};
+  /// By terms of passes along them: passes of one headland go round its boundaries or, with corners worked
+  /// out, no longer do.
+  mutable std::list<std::pair<HeadlandTerms, std::vector<FollowedLine>>> by_terms_{};
 };
 
 /// The lines round all boundaries, passes or not, for machines that are narrower than in fact: found by the
