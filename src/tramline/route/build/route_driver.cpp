@@ -50,19 +50,24 @@ void RouteDriver::drive_line(const Way& way, order::End entered) {
   so_far_.tour.push_back(entered);
 }
 
-void RouteDriver::drive_pass(Way way, std::size_t pass, const PassEntry& entry) {
+bool RouteDriver::drive_pass(Way way, std::size_t pass, const PassEntry& entry) {
   const HeadlandPass& of = task_.headland.passes[pass];
   const SteeredPath axle = axle_path(of, entry, task_.machine.turning);
-  follow(as_driven(std::move(way), axle), axle);
+  const double cost_s = way.cost_s;
+  way = as_driven(std::move(way), axle);
+  follow(way, axle);
   so_far_.legs.add(of, pass, entry);
+  return way.cost_s == cost_s;
 }
 
 void RouteDriver::drive_passes(const PassGroup& group) {
+  bool as_found = true;  // the ways so far, along which the next one may back
   for (WorkedPass& worked : pass_tour(pass_task(group), so_far_.left)) {
     const SteeredPath axle =
         axle_path(task_.headland.passes[worked.pass], worked.entry, task_.machine.turning);
-    drive_pass(worked.before.path.empty() ? way_to(axle) : std::move(worked.before), worked.pass,
-               worked.entry);
+    const bool holds = !worked.before.path.empty() && (as_found || !worked.before.backs_out);
+    if (!drive_pass(holds ? std::move(worked.before) : way_to(axle), worked.pass, worked.entry))
+      as_found = false;
   }
 }
 

@@ -71,8 +71,8 @@ class RouteDriver {
 
   /// Goes a way as it is, and over a line that is entered by this end.
   void drive_line(const Way& way, order::End entered);
-  /// Goes a way as_driven(), and over a pass.
-  void drive_pass(Way way, std::size_t pass, const PassEntry& entry);
+  /// Goes a way as_driven(), and over a pass. False where that is another way than the one given.
+  bool drive_pass(Way way, std::size_t pass, const PassEntry& entry);
   /// Drives passes in the order that takes least (pass_tour()).
   void drive_passes(const PassGroup& group);
   /// To the gate at the end, once there is work behind.
