@@ -1,6 +1,7 @@
 #include "tramline/route/build/lines_beside_boundaries.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/route/axle/axle_path.h"
@@ -52,6 +53,7 @@ const std::vector<FollowedLine>& LinesBesideBoundaries::found(const Headland& he
                                                               const DrivingGround& ground) const {
   const HeadlandTerms terms = beside_bare_boundaries(headland, field, ground);
   const std::lock_guard taken(taken_);
+  assert(by_terms_.empty() || by_terms_.front().first.width_m == terms.width_m);
   const auto known =
       std::ranges::find(by_terms_, terms, &std::pair<HeadlandTerms, std::vector<FollowedLine>>::first);
   if (known != by_terms_.end()) return known->second;
