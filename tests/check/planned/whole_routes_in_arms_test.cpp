@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "properties/seeds.h"
@@ -35,27 +36,30 @@ PlanSettings as_by_default() {
   return out;
 }
 
-void expect_whole_route_holds(const Field& field) {
-  const Plan plan = plan_field(field, machine_of_12m(), Objective{}, as_by_default(), 1);
+Plan expect_whole_route_holds(const Field& field) {
+  Plan plan = plan_field(field, machine_of_12m(), Objective{}, as_by_default(), 1);
+  EXPECT_TRUE(plan.route.planned());
   for (const check::Violation& v : check::verify(plan).violations)
     ADD_FAILURE() << name(v.rule) << ": " << v.what;
+  return plan;
 }
 
 // On the way between its passes the machine backs less far out of an arm than was found at first, and comes
 // to the next pass another way: it has to back out of that along this way.
 TEST(WholeRoutesInArms, BackAlongWhatWasDriven) {
-  expect_whole_route_holds(drawn({{0, 0},
-                                  {40, 0},
-                                  {40, 3},
-                                  {105, 9},
-                                  {105, 28},
-                                  {40, 30},
-                                  {40, 40},
-                                  {0, 40},
-                                  {0, 34},
-                                  {-66, 28},
-                                  {-61, 14},
-                                  {0, 8}}));
+  const Plan plan = expect_whole_route_holds(drawn({{0, 0},
+                                                    {40, 0},
+                                                    {40, 3},
+                                                    {105, 9},
+                                                    {105, 28},
+                                                    {40, 30},
+                                                    {40, 40},
+                                                    {0, 40},
+                                                    {0, 34},
+                                                    {-66, 28},
+                                                    {-61, 14},
+                                                    {0, 8}}));
+  EXPECT_GT(std::ranges::count(plan.route.legs, LegKind::kBackOut, &RouteLeg::kind), 0);
 }
 
 /// A block with an arm to the right, one up, and one to the left, one to three widths wide.

@@ -1,5 +1,5 @@
 #pragma once
-// The narrow tails of land that others have cut.
+// The narrow tails of land: what others leave when they cut it, and arms of fields.
 
 #include "tramline/geometry/polygon/region.h"
 
