@@ -117,6 +117,23 @@ TEST(PassesAhead, AreAboutTheBestOfAllOrders) {
   EXPECT_LT(foreseen_s, 1.05 * best_s);
 }
 
+// What was remembered of other places changes nothing: asked of every tenth place of a pass they say what
+// they say when they are asked of that alone.
+TEST(PassesAhead, DoNotDependOnWhatWasAskedBefore) {
+  for_each_seed(5, [&](std::mt19937_64& random, int) {
+    const Passes scene(random);
+    const PassesAhead ahead(scene.task);
+    for (const std::size_t first : scene.all) {
+      std::vector<bool> worked(scene.all.size(), false);
+      worked[first] = true;
+      for (std::size_t i = 0; i < scene.entries[first].size(); i += 10) {
+        const Point left = scene.entries[first][i].left.at;
+        EXPECT_EQ(ahead.onward_s(worked, left), PassesAhead(scene.task).onward_s(worked, left));
+      }
+    }
+  });
+}
+
 TEST(PassesAhead, AreNothingOnceAllIsWorked) {
   for_each_seed(5, [&](std::mt19937_64& random, int) {
     Passes scene(random);

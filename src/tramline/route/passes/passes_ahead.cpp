@@ -104,13 +104,13 @@ PassesAhead::ClosePlaces PassesAhead::close_places(const std::vector<PassEntry>&
   return out;
 }
 
-std::optional<Point> PassesAhead::ClosePlaces::nearest(Point to, double within_m) const {
-  std::optional<Point> out;
+std::optional<std::size_t> PassesAhead::ClosePlaces::nearest(Point to, double within_m) const {
+  std::optional<std::size_t> out;
   for (std::size_t i = 0; i < all.size();) {
     const double off_m = distance(all[i], to);
     if (off_m < within_m) {
       within_m = off_m;
-      out = all[i];
+      out = i;
     }
     const double leap = apart_m > 0 ? (off_m - within_m) / apart_m : 0;
     i += std::max<std::size_t>(1, static_cast<std::size_t>(leap));
@@ -120,17 +120,21 @@ std::optional<Point> PassesAhead::ClosePlaces::nearest(Point to, double within_m
 
 void PassesAhead::find_places(const PassTask& task) {
   std::vector<std::vector<Point>> spread;
+  std::size_t numbered = 0;
   for (const std::size_t pass : task.passes) {
     along_.push_back(close_places(task.entries[pass]));
+    first_along_.push_back(numbered);
+    numbered += along_.back().all.size();
     spread.push_back(evenly_spread(along_.back().all));
   }
+  beside_.resize(numbered);
   std::vector<Point> meeting = meeting_places(spread, gate_);
   if (meeting.empty()) meeting.push_back(spread.front().front());
   meeting = thinned(meeting, std::max(kLeastApart_m, radius_m_));
   for (const ClosePlaces& along : along_) {
     std::vector<Point> places;
     for (const Point p : meeting) {
-      const Point at = *along.nearest(p, std::numeric_limits<double>::infinity());
+      const Point at = along.all[*along.nearest(p, std::numeric_limits<double>::infinity())];
       if (std::ranges::find(places, at) == places.end()) places.push_back(at);
     }
     first_node_.push_back(nodes_);
@@ -172,14 +176,30 @@ double PassesAhead::between_places_s(WorkedSet worked, Point left) const {
   return out;
 }
 
-/// Or straight aside to a pass that lies beside the last one there.
-double PassesAhead::along_neighbours_s(WorkedSet worked, Point left) const {
+/// Or straight aside to a pass that lies beside the last one there. `beside(next)`: the place nearest on it.
+template <typename Beside>
+double PassesAhead::along_neighbours_s(WorkedSet worked, Point left, const Beside& beside) const {
   double out = between_places_s(worked, left);
   for (std::size_t next = 0; next < places_.size(); ++next) {
     if ((in_turn_[worked] & bit(next)) == 0) continue;
-    if (const auto beside = along_[next].nearest(left, near_m_))
-      out = std::min(out, seconds(left, *beside) + along_neighbours_s(worked | bit(next), *beside));
+    const std::optional<std::size_t> place = beside(next);
+    const double aside_s = place ? seconds(left, along_[next].all[*place]) : out;
+    if (aside_s < out) out = std::min(out, aside_s + from_place_s(worked | bit(next), next, *place));
   }
+  return out;
+}
+
+/// From a place on the last pass. The places beside many others are the same, so each is looked at once.
+double PassesAhead::from_place_s(WorkedSet worked, std::size_t last, std::size_t place) const {
+  const std::size_t number = first_along_[last] + place;
+  const std::uint64_t key = (std::uint64_t{number} << kMost) | worked;
+  if (const auto known = from_place_s_.find(key); known != from_place_s_.end()) return known->second;
+  const Point left = along_[last].all[place];
+  std::vector<std::optional<std::size_t>>& beside = beside_[number];
+  if (beside.empty())
+    for (const ClosePlaces& along : along_) beside.push_back(along.nearest(left, near_m_));
+  const double out = along_neighbours_s(worked, left, [&](std::size_t next) { return beside[next]; });
+  from_place_s_.emplace(key, out);
   return out;
 }
 
@@ -191,7 +211,9 @@ PassesAhead::WorkedSet PassesAhead::set_of(const std::vector<bool>& worked) {
 }
 
 double PassesAhead::onward_s(const std::vector<bool>& worked, Point left) const {
-  return places_.empty() ? 0 : along_neighbours_s(set_of(worked), left);
+  if (places_.empty()) return 0;
+  return along_neighbours_s(set_of(worked), left,
+                            [&](std::size_t next) { return along_[next].nearest(left, near_m_); });
 }
 
 double PassesAhead::least_s(const std::vector<bool>& worked) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "tramline/geometry/point.h"
@@ -21,7 +22,7 @@ double lane_change_m(double apart_m, double radius_m);
 /// The least time of the ways that work passes once some are worked, by dynamic programming over sets of
 /// passes (Held and Karp 1962). It is an estimate: ways lead straight, whatever the land, and between passes
 /// that do not lie beside one another from where they are near others or near the gate. All passes are
-/// closed, and left where they were entered.
+/// closed, and left where they were entered. Not for several threads: what was asked for is remembered.
 class PassesAhead {
  public:
   /// Of more passes nothing is foreseen, and where some are open: land in which these lie may be too narrow
@@ -32,7 +33,7 @@ class PassesAhead {
   explicit PassesAhead(const PassTask& task);
 
   /// From where the last pass was left, s. `worked`: by place in PassTask::passes. 0 where nothing is
-  /// foreseen. O(p²·k)
+  /// foreseen. O(p²·k) for each set of passes and place that is met on the way and was not met before.
   double onward_s(const std::vector<bool>& worked, Point left) const;
 
   /// About the least of that once one more pass is worked, wherever that is left, s.
@@ -45,8 +46,9 @@ class PassesAhead {
   struct ClosePlaces {
     std::vector<Point> all;
     double apart_m = 0;  ///< the next one, at most
-    /// The one nearest to a point, where one is nearer than this. What is far off is passed over in leaps.
-    std::optional<Point> nearest(Point to, double within_m) const;
+    /// The index of the one nearest to a point, where one is nearer than this. What is far off is passed over
+    /// in leaps.
+    std::optional<std::size_t> nearest(Point to, double within_m) const;
   };
   static ClosePlaces close_places(const std::vector<PassEntry>& entries);
   static WorkedSet set_of(const std::vector<bool>& worked);
@@ -54,7 +56,9 @@ class PassesAhead {
   void find_places(const PassTask& task);
   void find_times(const PassTask& task);
   double between_places_s(WorkedSet worked, Point left) const;
-  double along_neighbours_s(WorkedSet worked, Point left) const;
+  template <typename Beside>
+  double along_neighbours_s(WorkedSet worked, Point left, const Beside& beside) const;
+  double from_place_s(WorkedSet worked, std::size_t last, std::size_t place) const;
   double& at(WorkedSet worked, std::size_t node) { return from_s_[worked * nodes_ + node]; }
   double at(WorkedSet worked, std::size_t node) const { return from_s_[worked * nodes_ + node]; }
 
@@ -63,11 +67,15 @@ class PassesAhead {
   double speed_mps_;
   std::optional<Point> gate_;
   std::vector<ClosePlaces> along_{};          ///< by pass
+  std::vector<std::size_t> first_along_{};    ///< by pass: the number of its first place, of those on all
   std::vector<std::vector<Point>> places_{};  ///< by pass: where it is near others, or the gate
   std::size_t nodes_ = 0;                     ///< places of all passes, numbered one pass after another
   std::vector<std::size_t> first_node_{};
   std::vector<WorkedSet> in_turn_{};  ///< by set of worked passes: those that may come next
   std::vector<double> from_s_{};      ///< by set and node, where the last pass was left
+  /// By number of a place, once asked for: of every pass the place nearest to it, where one is near.
+  mutable std::vector<std::vector<std::optional<std::size_t>>> beside_{};
+  mutable std::unordered_map<std::uint64_t, double> from_place_s_{};  ///< by number of the place, and set
 };
 
 }  // namespace tramline
