@@ -14,6 +14,7 @@
 #include "properties/seeds.h"
 #include "route/passes/open_land.h"
 #include "route/rounded_rectangle.h"
+#include "tramline/route/passes/next_pass.h"
 #include "tramline/route/passes/passes_round_obstacles.h"
 
 namespace tramline::passes_ahead_test {
@@ -130,6 +131,38 @@ TEST(PassesAhead, DoNotDependOnWhatWasAskedBefore) {
         const Point left = scene.entries[first][i].left.at;
         EXPECT_EQ(ahead.onward_s(worked, left), PassesAhead(scene.task).onward_s(worked, left));
       }
+    }
+  });
+}
+
+/// The least of all entries: straight there, and on from there.
+double about_by_all_s(const Passes& scene, const PassesAhead& ahead, const std::vector<bool>& worked,
+                      const Pose& from) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const std::size_t pass : scene.all) {
+    if (worked[pass]) continue;
+    std::vector<bool> with = worked;
+    with[pass] = true;
+    for (const PassEntry& entry : scene.entries[pass])
+      out = std::min(out, scene.least.crude(from, entry.entered) +
+                              std::max(0.0, ahead.onward_s(with, entry.left.at) - ahead.least_s(worked)));
+  }
+  return out;
+}
+
+TEST(NextPass, IsAboutAsFarAsTheNearestOfAllEntries) {
+  for_each_seed(20, [&](std::mt19937_64& random, int) {
+    const Passes scene(random);
+    const PassesAhead ahead(scene.task);
+    NextPass next(scene.task);
+    std::vector<bool> worked(scene.all.size(), false);
+    for (const std::size_t pass : scene.all) {
+      for (int i = 0; i < 10; ++i) {
+        const Pose from{{uniform(random, -200, 200), uniform(random, -80, 80)}, Heading()};
+        EXPECT_NEAR(next.about_s(from), about_by_all_s(scene, ahead, worked, from), 1e-9);
+      }
+      next.work(pass);
+      worked[pass] = true;
     }
   });
 }

@@ -70,14 +70,47 @@ NextPass::Chosen NextPass::after(const SteeredPath& left) const {
   return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, nearest, choices);
 }
 
+/// Meets the choices to which the straight line takes less than `enough_s()`, which may fall meanwhile.
+template <typename Enough, typename Meet>
+void NextPass::meet_nearer(const Pose& left, const Choices& choices, const Enough& enough_s,
+                           const Meet& meet) const {
+  for (const Choices::Run& run : choices.runs)
+    for (std::size_t i = run.first; i < run.end;) {
+      const double way_s = task_.least.crude(left, choices.all[i].entry->entered);
+      if (way_s < enough_s()) meet(i, way_s);
+      // So many that follow are no nearer than that.
+      const double too_far_m = (way_s - enough_s()) * task_.least.fastest_mps();
+      const double leap = run.apart_m > 0 ? too_far_m / run.apart_m : 0;
+      i += std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, leap)));
+    }
+}
+
 double NextPass::about_s(const Pose& left) const {
   const Choices& choices = this->choices();
-  double out = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < choices.all.size(); ++i) {
-    const double way_s = task_.least.crude(left, choices.all[i].entry->entered);
-    if (way_s < out) out = std::min(out, way_s + more_s(choices, i));
-  }
+  std::size_t nearest = 0;
+  double nearest_s = std::numeric_limits<double>::infinity();
+  meet_nearer(
+      left, choices, [&] { return nearest_s; },
+      [&](std::size_t i, double way_s) {
+        nearest = i;
+        nearest_s = way_s;
+      });
+  double out = nearest_s + more_s(choices, nearest);
+  meet_nearer(
+      left, choices, [&] { return out; },
+      [&](std::size_t i, double way_s) { out = std::min(out, way_s + more_s(choices, i)); });
   return out;
+}
+
+void NextPass::add(const PassEntry& entry, std::size_t pass, Choices& choices) {
+  const bool goes_on = !choices.all.empty() && choices.all.back().pass == pass &&
+                       choices.all.back().entry->sense == entry.sense;
+  if (!goes_on) choices.runs.push_back({choices.all.size(), choices.all.size(), 0});
+  Choices::Run& run = choices.runs.back();
+  if (goes_on)
+    run.apart_m = std::max(run.apart_m, distance(choices.all.back().entry->entered.at, entry.entered.at));
+  choices.all.push_back({pass, &entry});
+  run.end = choices.all.size();
 }
 
 const NextPass::Choices& NextPass::choices() const {
@@ -86,8 +119,7 @@ const NextPass::Choices& NextPass::choices() const {
   if (ahead_) out.least_s = ahead_->least_s(worked_);
   for (std::size_t place = 0; place < worked_.size(); ++place) {
     if (worked_[place] || !has_its_turn(task_, worked_, place)) continue;
-    for (const PassEntry& entry : task_.entries[task_.passes[place]])
-      out.all.push_back({task_.passes[place], &entry});
+    for (const PassEntry& entry : task_.entries[task_.passes[place]]) add(entry, task_.passes[place], out);
   }
   out.more_s.resize(out.all.size());
   return out;

@@ -40,20 +40,30 @@ class NextPass {
   /// cost to one of these. O(e) for e entries, besides the ways. Precondition: `left` is not empty.
   Chosen after(const SteeredPath& left) const;
 
-  /// About what the way from a pose takes, and `more_s` of the choice it leads to. O(e)
+  /// About what the way from a pose takes, and `more_s` of the choice it leads to: the least of all choices,
+  /// as the straight line to them is long. O(e) at most; entries that are far off are passed over in leaps.
   double about_s(const Pose& left) const;
 
  private:
   /// What may be entered next, with what lies ahead of it more than the least that may, s, once it was asked
   /// for.
   struct Choices {
+    /// Entries of one pass in one sense, which follow one another along it.
+    struct Run {
+      std::size_t first = 0, end = 0;  ///< places in `all`
+      double apart_m = 0;              ///< from one to the next, at most
+    };
     std::vector<EntryChoice> all{};
+    std::vector<Run> runs{};
     double least_s = 0;
     mutable std::vector<std::optional<double>> more_s{};
   };
   std::vector<bool> worked_with(std::size_t pass) const;
   const Choices& choices() const;
+  static void add(const PassEntry& entry, std::size_t pass, Choices& choices);
   double more_s(const Choices& choices, std::size_t i) const;
+  template <typename Enough, typename Meet>
+  void meet_nearer(const Pose& left, const Choices& choices, const Enough& enough_s, const Meet& meet) const;
   Chosen by_search(const SteeredPath& left, NearestEntries& nearest, const Choices& choices) const;
   Chosen to_any(const SteeredPath& left, const Choices& choices, const std::vector<std::size_t>& some) const;
 
