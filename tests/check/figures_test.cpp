@@ -10,6 +10,7 @@
 
 #include "check/plans.h"
 #include "tramline/check/file/compare_warnings.h"
+#include "tramline/geometry/path/steered_path.h"
 
 namespace tramline {
 namespace {
@@ -158,6 +159,26 @@ TEST(Warnings, CountPiecesTooShortToTurnFor) {
   EXPECT_TRUE(judged(plan, {kUnconnected, missed, counted(4)}).empty());
   EXPECT_TRUE(reports(judged(plan, {kUnconnected, missed}), "warnings", "has no warning 'hardly worth"));
   EXPECT_TRUE(reports(judged(plan, {kUnconnected, missed, counted(3)}), "warnings", "other figures"));
+}
+
+// Of 130 m of the route the machine backs 10 and 20.
+TEST(Warnings, SayHowFarTheMachineBacks) {
+  Plan plan = rectangle_plan();
+  const auto drive = [&](LegKind kind, double length_m) {
+    RouteLeg leg;
+    leg.kind = kind;
+    leg.path = {arc_from({}, length_m, 0, Gear::kForward)};
+    plan.route.legs.push_back(std::move(leg));
+  };
+  drive(LegKind::kBackOut, 10);
+  drive(LegKind::kBackOut, 20);
+  drive(LegKind::kTransit, 100);
+  EXPECT_TRUE(judged(plan, {"30 m of the route, 23 %, are driven in reverse, up to 20 m at a time"}).empty());
+  EXPECT_TRUE(reports(judged(plan, {}), "warnings", "has no warning 'are driven in reverse"));
+  EXPECT_TRUE(reports(judged(plan, {"30 m of the route, 23 %, are driven in reverse, up to 30 m at a time"}),
+                      "warnings", "other figures"));
+  drive(LegKind::kTransit, 300);  // 30 of 430 m are not worth saying
+  EXPECT_TRUE(judged(plan, {}).empty());
 }
 
 // No pass was driven where there was room for none: a user who asked for two has to be told.

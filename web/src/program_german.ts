@@ -21,6 +21,8 @@ export const PROGRAM: Readonly<Record<string, string>> = {
   are: 'sind',
   'the route leaves the land on {0} of its {1} legs, by up to {2} m: no way has room there':
     'die Route verlässt auf {0} ihrer {1} Abschnitte die Fläche, um bis zu {2} m: Dort hat kein Weg Platz',
+  '{0} m of the route, {1} %, are driven in reverse, up to {2} m at a time: where tracks and passes end the machine has no room to turn':
+    '{0} m der Route, {1} %, werden rückwärts gefahren, bis zu {2} m am Stück: Wo Spuren und Vorgewendefahrten enden, hat die Maschine keinen Platz zum Wenden',
   'corners of the machine swing out over the edge of the land by up to {0} m where headland passes turn, whichever way they are driven':
     'Ecken der Maschine schwenken in den Kurven der Vorgewenderunden bis zu {0} m über den Rand der Fläche, wie auch immer gefahren wird',
   'the land falls into {0} parts for a machine as wide as this: the route works one after the other, and leaves the land from each to the next':

@@ -15,6 +15,8 @@ namespace {
 
 /// Much land is left where it is more than this share of all.
 constexpr double kMuch_share = 0.02;
+/// The machine backs out of ends over a long way where that is more than this share of the route.
+constexpr double kMuchBacking_share = 0.1;
 
 /// The land on which no swath fits, corners left out.
 Region narrow_land(const Field& field, double width_m) {
@@ -127,6 +129,23 @@ void warn_of_swinging_corners(const Plan& plan, std::vector<std::string>& out) {
                   most_m));
 }
 
+/// Says why a machine drives far in reverse, as on strips too narrow to turn on.
+void warn_of_backing(const Plan& plan, std::vector<std::string>& out) {
+  double all_m = 0, backed_m = 0, longest_m = 0;
+  for (const RouteLeg& leg : plan.route.legs) {
+    const double leg_m = length(leg);
+    all_m += leg_m;
+    if (leg.kind != LegKind::kBackOut) continue;
+    backed_m += leg_m;
+    longest_m = std::max(longest_m, leg_m);
+  }
+  if (backed_m <= kMuchBacking_share * all_m) return;
+  out.push_back(
+      fmt::format("{:.0f} m of the route, {:.0f} %, are driven in reverse, up to {:.0f} m at a time: where "
+                  "tracks and passes end the machine has no room to turn",
+                  backed_m, 100 * backed_m / all_m, longest_m));
+}
+
 void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) {
   const std::size_t without_room = legs_without_room(plan.route, plan.machine);
   if (without_room == 0) return;
@@ -191,6 +210,7 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   warn_of_dropped_pieces(plan, out);
   warn_of_short_pieces(plan, out);
   if (!plan.route.planned()) out.emplace_back(kConnectionsUnplanned);
+  warn_of_backing(plan, out);
   warn_of_swinging_corners(plan, out);
   warn_of_legs_without_room(plan, out);
   return out;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "planner/route/sound_route.h"
@@ -321,6 +322,26 @@ TEST(RouteProperties, RandomFieldsAreDrivenWhole) {
       ASSERT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
     }
   });
+}
+
+// Three passes of 200 m side by side fill a strip 9 m wide, on which a machine of r = 6 m does not turn: it
+// works one, backs to where it came from, works the next, and backs again. It needs some metres to get from
+// one to the other.
+TEST(Route, SaysThatItBacksFarWhereNothingTurns) {
+  PlanSettings settings = whole_route(0);
+  settings.headland_rule = HeadlandRule::kTurns;
+  settings.boundary = EdgeKind::kHard;
+  settings.aim = Aim::kWholeCost;
+  const auto said = [&](double wide_m) -> std::optional<double> {
+    const Plan plan = plan_field(rectangle(200, wide_m), {"", 3, 6}, {}, settings);
+    for (const std::string& warning : plan.warnings)
+      if (warning.find("m of the route") != std::string::npos) return std::stod(warning);
+    return std::nullopt;
+  };
+  const std::optional<double> backed_m = said(9);
+  ASSERT_TRUE(backed_m);
+  EXPECT_NEAR(*backed_m, 400, 40);
+  EXPECT_FALSE(said(60));
 }
 
 }  // namespace

@@ -183,6 +183,23 @@ Expected of_connections(const Plan& plan) {
   return {"connections between tracks are not planned", !plan.route.planned(), false, {}};
 }
 
+Expected of_backing(const Plan& plan) {
+  constexpr double kWorthSaying_share = 0.1, kOpen_share = 1e-9;
+  double all_m = 0, backed_m = 0, longest_m = 0;
+  for (const RouteLeg& leg : plan.route.legs) {
+    const double leg_m = length(leg);
+    all_m += leg_m;
+    if (leg.kind != LegKind::kBackOut) continue;
+    backed_m += leg_m;
+    longest_m = std::max(longest_m, leg_m);
+  }
+  const double share = all_m > 0 ? backed_m / all_m : 0;
+  return {"are driven in reverse, up to",
+          share > kWorthSaying_share,
+          std::abs(share - kWorthSaying_share) < kOpen_share,
+          {amount(backed_m), amount(100 * share), amount(longest_m)}};
+}
+
 Expected of_legs_without_room(const Plan& plan) {
   std::ptrdiff_t count = 0;
   double most_m = 0;
@@ -212,13 +229,21 @@ Expected of_parts(const Plan& plan) {
 /// Of lines of others only the warning about land is ours to repeat.
 std::vector<Expected> all_expected(const Plan& plan) {
   if (is_of_lines(plan)) return {of_unworked_land(plan)};
-  return {of_unworked_land(plan),        of_overrun(plan),
-          of_given_up_land(plan),        of_left_out_land(plan),
-          of_passes_without_room(plan),  of_passes_alone(plan),
-          of_short_dropped_pieces(plan), of_pieces_not_worth_the_way(plan),
-          of_short_pieces(plan),         of_cut_short(plan),
-          of_connections(plan),          of_legs_without_room(plan),
-          of_swinging_corners(plan),     of_parts(plan)};
+  return {of_unworked_land(plan),
+          of_overrun(plan),
+          of_given_up_land(plan),
+          of_left_out_land(plan),
+          of_passes_without_room(plan),
+          of_passes_alone(plan),
+          of_short_dropped_pieces(plan),
+          of_pieces_not_worth_the_way(plan),
+          of_short_pieces(plan),
+          of_cut_short(plan),
+          of_connections(plan),
+          of_backing(plan),
+          of_legs_without_room(plan),
+          of_swinging_corners(plan),
+          of_parts(plan)};
 }
 
 }  // namespace
