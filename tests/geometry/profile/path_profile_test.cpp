@@ -54,6 +54,24 @@ TEST(PathProfile, FollowsAnEdgeThroughAnArc) {
   }
 }
 
+// A band 5 m wide leads obliquely through a swath along an arc of 1000 km, a = atan 0.2 off its start: the
+// cross-section after s is inside over 5 / cos(a + s/R), which grows by a micrometre a metre. Both edges
+// change by 0.2 m a metre meanwhile, so bounds from edge to edge say next to nothing.
+TEST(PathProfile, FindsWhereEdgesThatGoAlongWithOneAnotherAreFarEnoughApart) {
+  constexpr double kRadius = 1e6, kApart = 5, kLong = 60, kThere = 25;
+  const double off = std::atan(0.2);
+  const Point along{std::sin(off), std::cos(off)}, across{std::cos(off), -std::sin(off)};
+  const Point from = Point{-8, 0} - 20 * along, to = Point{-8, 0} + 100 * along;
+  const EdgeIndex index({{{from, from + kApart * across, to + kApart * across, to}, {}}});
+  const double turn = kLong / kRadius;
+  const Point end{-kRadius * 2 * std::sin(turn / 2) * std::sin(turn / 2), kRadius * std::sin(turn)};
+  const PathProfile profile = path_profile(index, {{{0, 0}, end, 1 / kRadius}}, 24);
+  const Intervals where = where_at_least(profile, kApart / std::cos(off + kThere / kRadius));
+  ASSERT_EQ(where.size(), 1u);
+  EXPECT_NEAR(where[0].from, kThere, 1e-3);
+  EXPECT_NEAR(where[0].to, kLong, 1e-6);
+}
+
 // A ring's worth of arc inside a box is all inside; a hole takes its area away.
 TEST(PathProfile, CountsHoles) {
   Region region = box(-20, -20, 20, 20);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tramline/geometry/profile/path_profile.h"
 #include "tramline/geometry/profile/section_parts.h"
@@ -9,6 +10,8 @@ namespace {
 
 /// Accuracy of positions on arcs, m.
 constexpr double kPosition_m = 1e-9;
+/// A length across that deviates from its chord by no more counts as straight, m: about its rounding.
+constexpr double kStraight_m = 1e-12;
 
 class Insides {
  public:
@@ -23,34 +26,63 @@ class Insides {
   }
 
  private:
-  /// Bounds of the inside length between two positions: every part is monotonic.
-  void search(const SegmentProfile& segment, const SectionSlab& slab, double from, double to,
-              Intervals& out) const {
-    double low = slab.right_inside * width_, high = low, at_from = low, at_to = low;
+  /// The inside length at two positions, and between what it stays from one to the other.
+  struct Inside {
+    double at_from, at_to;
+    double low, high;
+    double bend;  ///< it deviates from its chord by no more
+  };
+
+  Inside inside(const SegmentProfile& segment, const SectionSlab& slab, double from, double to) const {
+    const double all = slab.right_inside * width_;
+    Inside out{all, all, all, all, 0};
     for (const std::size_t p : slab.parts) {
       const SectionPart& part = segment.parts[p];
-      const double a = part.sign * across_at(segment, 0.5 * width_, part, from);
-      const double b = part.sign * across_at(segment, 0.5 * width_, part, to);
-      low += std::min(a, b);
-      high += std::max(a, b);
-      at_from += a;
-      at_to += b;
+      const double a = across_at(segment, 0.5 * width_, part, from);
+      const double b = across_at(segment, 0.5 * width_, part, to);
+      out.at_from += part.sign * a;
+      out.at_to += part.sign * b;
+      // Every part is monotonic.
+      out.low += part.sign * (part.sign > 0 ? std::min(a, b) : std::max(a, b));
+      out.high += part.sign * (part.sign > 0 ? std::max(a, b) : std::min(a, b));
+      out.bend += most_bent(segment, part, a, b) * (to - from) * (to - from) / 8;
     }
-    if (low >= least_) return append(segment, from, to, out);
-    if (high < least_) return;
-    double middle = 0.5 * (from + to);
-    if (segment.radius == 0) {
-      if ((at_from >= least_) == (at_to >= least_)) {
-        if (at_from >= least_) append(segment, from, to, out);
+    // Where the parts go along with one another, the sum lies nearer to its chord than each to its ends.
+    out.low = std::max(out.low, std::min(out.at_from, out.at_to) - out.bend);
+    out.high = std::min(out.high, std::max(out.at_from, out.at_to) + out.bend);
+    return out;
+  }
+
+  /// The greatest second derivative of a part's distance across by the position along, 1/m, between two
+  /// distances. With r = d / cos ψ about the arc's centre, d²r/dψ² = r·(2r²/d² − 1), which grows with r.
+  double most_bent(const SegmentProfile& segment, const SectionPart& part, double a, double b) const {
+    if (segment.radius == 0) return 0;
+    const double nearest_square = part.moment * part.moment / dot(part.edge, part.edge);
+    if (!(nearest_square > 0)) return std::numeric_limits<double>::infinity();
+    const double half = 0.5 * width_;
+    const double farthest = segment.radius + std::max(std::abs(a - half), std::abs(b - half));
+    return farthest * (2 * farthest * farthest / nearest_square - 1) / (segment.radius * segment.radius);
+  }
+
+  void search(const SegmentProfile& segment, const SectionSlab& slab, double from, double to,
+              Intervals& out) const {
+    const Inside here = inside(segment, slab, from, to);
+    if (here.low >= least_) return append(segment, from, to, out);
+    if (here.high < least_) return;
+    const bool begins = here.at_from >= least_, ends = here.at_to >= least_;
+    if (here.bend <= kStraight_m) {
+      if (begins == ends) {
+        if (begins) append(segment, from, to, out);
         return;
       }
-      middle = from + (to - from) * ((least_ - at_from) / (at_to - at_from));
-      return at_from >= least_ ? append(segment, from, middle, out) : append(segment, middle, to, out);
+      const double where = from + (to - from) * ((least_ - here.at_from) / (here.at_to - here.at_from));
+      return begins ? append(segment, from, where, out) : append(segment, where, to, out);
     }
     if (to - from <= kPosition_m) {
-      if (at_from >= least_ && at_to >= least_) append(segment, from, to, out);
+      if (begins && ends) append(segment, from, to, out);
       return;
     }
+    const double middle = 0.5 * (from + to);
     search(segment, slab, from, middle, out);
     search(segment, slab, middle, to, out);
   }
