@@ -131,13 +131,12 @@ void warn_of_swinging_corners(const Plan& plan, std::vector<std::string>& out) {
 
 /// Says why a machine drives far in reverse, as on strips too narrow to turn on.
 void warn_of_backing(const Plan& plan, std::vector<std::string>& out) {
-  double all_m = 0, backed_m = 0, longest_m = 0;
+  const double all_m = sums_of(plan.route).length_m;
+  double backed_m = 0, longest_m = 0;
   for (const RouteLeg& leg : plan.route.legs) {
-    const double leg_m = length(leg);
-    all_m += leg_m;
     if (leg.kind != LegKind::kBackOut) continue;
-    backed_m += leg_m;
-    longest_m = std::max(longest_m, leg_m);
+    backed_m += length(leg);
+    longest_m = std::max(longest_m, length(leg));
   }
   if (backed_m <= kMuchBacking_share * all_m) return;
   out.push_back(

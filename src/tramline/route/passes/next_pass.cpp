@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/route/passes/meet_nearer.h"
 #include "tramline/route/passes/pass_entries.h"
 
 namespace tramline {
@@ -72,31 +73,25 @@ NextPass::Chosen NextPass::after(const SteeredPath& left) const {
 
 /// Meets the choices to which the straight line takes less than `enough_s()`, which may fall meanwhile.
 template <typename Enough, typename Meet>
-void NextPass::meet_nearer(const Pose& left, const Choices& choices, const Enough& enough_s,
+void NextPass::meet_sooner(const Pose& left, const Choices& choices, const Enough& enough_s,
                            const Meet& meet) const {
+  const auto way_s = [&](std::size_t i) { return task_.least.crude(left, choices.all[i].entry->entered); };
   for (const Choices::Run& run : choices.runs)
-    for (std::size_t i = run.first; i < run.end;) {
-      const double way_s = task_.least.crude(left, choices.all[i].entry->entered);
-      if (way_s < enough_s()) meet(i, way_s);
-      // So many that follow are no nearer than that.
-      const double too_far_m = (way_s - enough_s()) * task_.least.fastest_mps();
-      const double leap = run.apart_m > 0 ? too_far_m / run.apart_m : 0;
-      i += std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, leap)));
-    }
+    meet_nearer(run.first, run.end, run.apart_m / task_.least.fastest_mps(), way_s, enough_s, meet);
 }
 
 double NextPass::about_s(const Pose& left) const {
   const Choices& choices = this->choices();
   std::size_t nearest = 0;
   double nearest_s = std::numeric_limits<double>::infinity();
-  meet_nearer(
+  meet_sooner(
       left, choices, [&] { return nearest_s; },
       [&](std::size_t i, double way_s) {
         nearest = i;
         nearest_s = way_s;
       });
   double out = nearest_s + more_s(choices, nearest);
-  meet_nearer(
+  meet_sooner(
       left, choices, [&] { return out; },
       [&](std::size_t i, double way_s) { out = std::min(out, way_s + more_s(choices, i)); });
   return out;

@@ -63,7 +63,7 @@ class NextPass {
   static void add(const PassEntry& entry, std::size_t pass, Choices& choices);
   double more_s(const Choices& choices, std::size_t i) const;
   template <typename Enough, typename Meet>
-  void meet_nearer(const Pose& left, const Choices& choices, const Enough& enough_s, const Meet& meet) const;
+  void meet_sooner(const Pose& left, const Choices& choices, const Enough& enough_s, const Meet& meet) const;
   Chosen by_search(const SteeredPath& left, NearestEntries& nearest, const Choices& choices) const;
   Chosen to_any(const SteeredPath& left, const Choices& choices, const std::vector<std::size_t>& some) const;
 

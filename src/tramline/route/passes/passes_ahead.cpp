@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tramline/route/passes/meet_nearer.h"
+
 namespace tramline {
 namespace {
 
@@ -106,15 +108,12 @@ PassesAhead::ClosePlaces PassesAhead::close_places(const std::vector<PassEntry>&
 
 std::optional<std::size_t> PassesAhead::ClosePlaces::nearest(Point to, double within_m) const {
   std::optional<std::size_t> out;
-  for (std::size_t i = 0; i < all.size();) {
-    const double off_m = distance(all[i], to);
-    if (off_m < within_m) {
-      within_m = off_m;
-      out = i;
-    }
-    const double leap = apart_m > 0 ? (off_m - within_m) / apart_m : 0;
-    i += std::max<std::size_t>(1, static_cast<std::size_t>(leap));
-  }
+  meet_nearer(
+      0, all.size(), apart_m, [&](std::size_t i) { return distance(all[i], to); }, [&] { return within_m; },
+      [&](std::size_t i, double off_m) {
+        within_m = off_m;
+        out = i;
+      });
   return out;
 }
 
