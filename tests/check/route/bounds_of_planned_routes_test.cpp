@@ -14,12 +14,7 @@ namespace tramline::planned_routes {
 namespace {
 
 /// The bound of the plan holds, and two parts in a hundred more are refused. Returns the plan.
-Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost, int headlands = 0,
-                           std::vector<Point> guide = {}) {
-  PlanSettings settings = whole_route(headlands);
-  settings.boundary = EdgeKind::kHard;
-  settings.aim = aim;
-  settings.guide = std::move(guide);
+Plan with_bound_that_holds(Ring outer, const Machine& of, const PlanSettings& settings) {
   Plan plan = plan_field(field_of(std::move(outer)), of, {}, settings);
   const auto refused = [](const Plan& one) {
     const std::vector<check::Violation> all = check::verify(one).violations;
@@ -31,6 +26,20 @@ Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost, 
   claims_more.route.proof.bound_s *= 1.02;
   EXPECT_TRUE(refused(claims_more));
   return plan;
+}
+
+PlanSettings on_hard_land(Aim aim, int headlands) {
+  PlanSettings out = whole_route(headlands);
+  out.boundary = EdgeKind::kHard;
+  out.aim = aim;
+  return out;
+}
+
+Plan with_bound_that_holds(Ring outer, const Machine& of, Aim aim = Aim::kCost, int headlands = 0,
+                           std::vector<Point> guide = {}) {
+  PlanSettings settings = on_hard_land(aim, headlands);
+  settings.guide = std::move(guide);
+  return with_bound_that_holds(std::move(outer), of, settings);
 }
 
 // Where the machine backs out of its tracks the bound knows by how much, and the verifier too.
@@ -81,6 +90,15 @@ TEST(BoundsOfPlannedRoutes, count_the_stop_before_a_closed_pass) {
   ASSERT_TRUE(is_closed(plan.headland.passes.front()));
   EXPECT_GT(sums_of(plan.route).back_outs, 0U);
   EXPECT_GT(plan.route.proof.bound_s, 0.97 * priced_time_s(plan.route));
+}
+
+// On a strip of 9 m the passes go round corners at its ends, and the machine backs all along them, for it
+// turns round nowhere.
+TEST(BoundsOfPlannedRoutes, know_how_far_machines_back_round_corners) {
+  PlanSettings settings = on_hard_land(Aim::kWholeCost, 0);
+  settings.headland_rule = HeadlandRule::kTurns;
+  const Plan plan = with_bound_that_holds({{0, 0}, {9.4, 0}, {9.4, 330}, {0, 326}}, machine(3, 6), settings);
+  EXPECT_GT(plan.route.proof.bound_s, 0.9 * priced_time_s(plan.route));
 }
 
 }  // namespace

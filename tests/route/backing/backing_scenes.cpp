@@ -57,11 +57,15 @@ std::optional<Line> random_line(const Ring& field, const AllowedLand& land, cons
   if (out.bent) {
     back.push_back(arc_from(pose, uniform(random, 0, 8), 0, Gear::kReverse));
     const double radius_m = machine.radius_m * uniform(random, 1, 4);
-    back.push_back(arc_from(end_of(back), uniform(random, 0, 0.7) * radius_m,
-                            (any_of(random, 0, 1) == 0 ? 1 : -1) / radius_m, Gear::kReverse));
+    const double turned = any_of(random, 0, 2) > 0 ? uniform(random, 0, 0.7) : uniform(random, 0.5, 1.7);
+    back.push_back(arc_from(end_of(back), turned * radius_m, (any_of(random, 0, 1) == 0 ? 1 : -1) / radius_m,
+                            Gear::kReverse));
+    out.turns_far = turned > 0.5;
   }
   back.push_back(arc_from(back.empty() ? pose : end_of(back), straight_m, 0, Gear::kReverse));
   out.driven = retraced(back);
+  // From behind a bend the machine has come along the line.
+  if (out.turns_far && !land.fits(out.driven, outline)) return std::nullopt;
   return out;
 }
 

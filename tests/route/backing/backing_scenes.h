@@ -28,10 +28,11 @@ Ring random_field_of_sides(std::mt19937_64& random);
 struct Line {
   SteeredPath driven;
   bool bent = false;
+  bool turns_far = false;  ///< by more than 0.5 rad
 };
 
 /// A line to where the outline meets the edge of the land ahead, or short of it, straight or bent behind the
-/// last metres; along the sides or aslant.
+/// last metres; along the sides or aslant. One that turns far has room all along.
 std::optional<Line> random_line(const Ring& field, const AllowedLand& land, const Machine& machine,
                                 std::mt19937_64& random);
 

@@ -55,8 +55,9 @@ double BackedWays::loop_m(const Loop& loop, const Pose& from, const Pose& to) co
 /// At the farther end of the distances backed, by no less anywhere between than as much longer as it backs
 /// less: Dubins, or loops where it makes these all over the distances.
 double BackedWays::forward_m(const Backed& backed_by) const {
-  const double lift_m = backed_by.out ? 0 : terms_.turning.lift_m,
-               lower_m = backed_by.in ? 0 : terms_.turning.lower_m;
+  const bool bends = left_.behind_m > 0 || entered_.behind_m > 0;
+  const double lift_m = bends || backed_by.out ? 0 : terms_.turning.lift_m,
+               lower_m = bends || backed_by.in ? 0 : terms_.turning.lower_m;
   const Pose from = moved_on(backed(left_, backed_by.out_to), lift_m),
              to = moved_on(backed(entered_, backed_by.in_to), -lower_m);
   double out = dubins_length(from, to, terms_.radius_m);
@@ -71,7 +72,14 @@ double BackedWays::seconds(const Backed& all, double back_m, double forward_m) c
   const bool both = all.out && all.in && forward_m > 0;
   const int stops = all.out || all.in ? (both ? 2 : 1) : 0;
   return stops * terms_.stop_s + std::max(back_m, all.in_all) / terms_.turning.reverse_speed_mps +
-         std::max(0.0, forward_m) / terms_.turning.turning_speed_mps;
+         std::max(0.0, forward_m) / terms_.turning.turning_speed_mps + bend_s(left_, all.out) +
+         bend_s(entered_, all.in);
+}
+
+/// What a way takes more than from behind the bend.
+double BackedWays::bend_s(const LineExit& exit, bool backs) const {
+  return backs ? exit.behind_m / terms_.turning.reverse_speed_mps
+               : -exit.behind_m / terms_.turning.turning_speed_mps;
 }
 
 /// Parts of distances backed out and in, within each of which the same loops are made.

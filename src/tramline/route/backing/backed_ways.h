@@ -27,7 +27,8 @@ struct AskedBacking {
   double only_out_m = 0, only_in_m = 0;
 };
 
-/// Ways from leaving one line to entering another that back no farther than these are followed.
+/// Ways from leaving one line to entering another that back no farther than these are followed. Those that
+/// back along a line behind a bend have backed round the bend before; all others do not drive it.
 class BackedWays {
  public:
   /// All outlive the ways.
@@ -54,6 +55,7 @@ class BackedWays {
   double loop_m(const Loop& loop, const Pose& from, const Pose& to) const;
   double forward_m(const Backed& backed_by) const;
   double seconds(const Backed& all, double back_m, double forward_m) const;
+  double bend_s(const LineExit& exit, bool backs) const;
   std::vector<Backed> parted(const Backed& all) const;
   double least_of(Backed all, double known_s) const;
 

@@ -16,13 +16,8 @@ namespace {
 
 /// An outline that has room may touch the edge of the land; this is more than all tolerances of that, m.
 constexpr double kTouching_m = 0.05;
-/// Lines are followed back as long as they turn by no more than this, as a sine.
-constexpr double kBent = 0.5;
 /// Headings parallel to a side to this sine do not lead to it.
 constexpr double kParallel = 1e-6;
-/// Stretches meet without a kink where their headings differ by no more than this sine, and are no sharper
-/// than the machine turns where their radii are no less than its own by more than this share.
-constexpr double kNoKink = 1e-6, kSharper = 1e-6;
 /// A side is far enough where no more than this is lacking, m.
 constexpr double kFarEnough_m = 1e-3;
 
@@ -30,11 +25,6 @@ constexpr double kNever_s = std::numeric_limits<double>::infinity(), kNowhere_m 
 
 bool straight(const SteeredStretch& stretch) {
   return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
-}
-
-double bent(const Pose& pose, Point ahead) {
-  const Point heading = pose.heading.unit();
-  return dot(heading, ahead) > 0 ? std::abs(cross(heading, ahead)) : 1;
 }
 
 /// Where the machine points when it leaves, or would point if it drove the way from its end.
@@ -175,27 +165,17 @@ double LeastBacking::back_m(const Side& side, const LineExit& exit, Turned turne
 }
 
 /// What is driven from the exit on, back out of an end or into a beginning.
-LineExit LeastBacking::exit_of(const SteeredPath& line, double backing, double straight_on_m) const {
+LineExit LeastBacking::exit_of(GentleRun run, const Pose& pose, double backing, double straight_on_m) const {
   LineExit out;
-  out.pose = line.front().start;
+  out.pose = pose;
   out.backing = backing;
-  const Point ahead = out.pose.heading.unit();
-  Point before = ahead;
-  for (const SteeredStretch& stretch : line) {
-    const Pose end = end_of(stretch);
-    const double sharpest =
-        std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
-    if (stretch.clothoid() || bent(stretch.start, before) > kNoKink) break;
-    if (sharpest * terms_.radius_m > 1 + kSharper) break;
-    if (std::max(bent(stretch.start, ahead), bent(end, ahead)) > kBent) break;
-    out.bent = std::max(out.bent, bent(end, ahead));
-    out.line.push_back(stretch);
-    before = end.heading.unit();
-  }
+  out.line = std::move(run.line);
+  out.bent = run.bent;
   out.length_m = length(out.line);
-  out.whole = out.line.size() == line.size();
+  out.whole = run.to_end;
+  out.behind_m = run.begins_m;
   const Pose lifted = moved_on(out.pose, -backing * straight_on_m);
-  const Point off = -backing * ahead;
+  const Point off = -backing * out.pose.heading.unit();
   for (const Side& side : sides_) {
     if (lacks_m(side, lifted, backing, Turned::kLeast) > 0)
       out.near.push_back({side.inwards, back_m(side, out, Turned::kLeast)});
@@ -224,11 +204,14 @@ std::shared_ptr<const PlacesByHeading> LeastBacking::places_from(const Pose& pos
 }
 
 LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double straight_on_m) const {
-  LineExits out{exit_of(line, backing, straight_on_m)};
+  const Pose& pose = line.front().start;
+  LineExits out{exit_of(first_run(line, terms_.radius_m), pose, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
-  if (out.whole.bent > 0 && bend != line.begin()) {
-    out.straight = exit_of(SteeredPath(line.begin(), bend), backing, straight_on_m);
-    out.straight->whole = false;
+  if (out.whole.bent > 0 && bend != line.begin())
+    out.straight = exit_of({SteeredPath(line.begin(), bend)}, pose, backing, straight_on_m);
+  if (std::optional<GentleRun> run = longest_run_behind_bends(line, terms_.radius_m)) {
+    const Pose begins = run->line.front().start;
+    out.behind_bend = exit_of(*std::move(run), begins, backing, 0);
   }
   if (reach_)
     out.reached = {places_from(line.front().start, -backing), places_from(end_of(line.back()), backing),
@@ -344,8 +327,9 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
                            bool may_along, bool may_on) {
     const bool one_may_do = may_on ? !exit.whole || one_stop_may_do(exit, other) : !exit.whole && may_along;
     const int stops = one_may_do ? 1 : 2;
-    return stops * terms_.stop_s + exit.length_m / terms_.turning.reverse_speed_mps +
-           reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps;
+    return stops * terms_.stop_s + (exit.behind_m + exit.length_m) / terms_.turning.reverse_speed_mps +
+           reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps -
+           other.behind_m / terms_.turning.turning_speed_mps;
   };
   return std::min(
       seconds(left, entered, backed(left, left.length_m), entered.pose, may.out, may.out_and_on),
@@ -353,7 +337,7 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
-  const double anyhow_s = least_of_lines(left, entered, {}, known_s);
+  const double anyhow_s = least_behind_bends(left, entered, least_of_lines(left, entered, {}, known_s));
   const OneStop may = one_stop(left, entered);
   return may.all() ? anyhow_s : least_of_lines(left, entered, may, anyhow_s);
 }
@@ -372,6 +356,15 @@ double LeastBacking::least_of_lines(const LineExits& left, const LineExits& ente
   if (!left.straight && !entered.straight) return least_s;
   return least_between(left.straight.value_or(left.whole), entered.straight.value_or(entered.whole), may,
                        least_s);
+}
+
+/// Any way, with the bends driven before it and behind it as far as it does not back round them, leads from
+/// behind the one to behind the other.
+double LeastBacking::least_behind_bends(const LineExits& left, const LineExits& entered,
+                                        double known_s) const {
+  if (!left.behind_bend && !entered.behind_bend) return known_s;
+  return least_between(left.behind_bend.value_or(left.whole), entered.behind_bend.value_or(entered.whole), {},
+                       known_s);
 }
 
 double LeastBacking::least_between(const LineExit& left, const LineExit& entered, const OneStop& may,

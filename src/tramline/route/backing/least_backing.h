@@ -10,6 +10,7 @@
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/machine.h"
 #include "tramline/route/backing/backed_ways.h"
+#include "tramline/route/backing/gentle_run.h"
 #include "tramline/route/backing/heading_reach.h"
 #include "tramline/route/backing/line_exits.h"
 
@@ -65,7 +66,7 @@ class LeastBacking {
   Along on_strip(const LineExit& left, const LineExit& entered) const;
   std::shared_ptr<const PlacesByHeading> places_from(const Pose& pose, double sense) const;
   LineExits exits_of(const SteeredPath& line, double backing, double straight_on_m) const;
-  LineExit exit_of(const SteeredPath& line, double backing, double straight_on_m) const;
+  LineExit exit_of(GentleRun run, const Pose& pose, double backing, double straight_on_m) const;
   enum class Turned { kLeast, kOtherWay };
   double lacks_m(const Side& side, const Pose& pose, double backing, Turned turned) const;
   double back_m(const Side& side, const LineExit& exit, Turned turned) const;
@@ -90,6 +91,7 @@ class LeastBacking {
   double least_beyond(const LineExit& left, const LineExit& entered, const OneStop& may) const;
   double least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
                         double known_s) const;
+  double least_behind_bends(const LineExits& left, const LineExits& entered, double known_s) const;
   double least_between(const LineExit& left, const LineExit& entered, const OneStop& may,
                        double known_s) const;
 

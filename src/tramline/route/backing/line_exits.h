@@ -34,6 +34,7 @@ struct LineExit {
   double length_m = 0;  ///< of that
   bool whole = false;   ///< to its other end
   double bent = 0;      ///< by how much it turns, as a sine
+  double behind_m = 0;  ///< so far along the line behind a bend: ways lead off or to the end of all of it
   std::vector<NearSide> near{};
   std::vector<OneWaySide> one_way{};
 };
@@ -45,12 +46,13 @@ struct ExitReach {
   SteeredPath line;                               ///< the axle's, all of it
 };
 
-/// The same followed as far as it goes, and only until it bends. A way is bounded by both: where bends are
-/// followed, less is known of the heading from which it goes on.
+/// The same followed as far as it goes, only until it bends, and from behind a bend. A way is bounded by all:
+/// where bends are followed, less is known of the heading from which it goes on.
 struct LineExits {
   LineExit whole;
-  std::optional<LineExit> straight{};  ///< of a line that begins straight and bends
-  std::optional<ExitReach> reached{};  ///< where it is followed
+  std::optional<LineExit> straight{};     ///< of a line that begins straight and bends
+  std::optional<LineExit> behind_bend{};  ///< of a line that turns far, the longest part
+  std::optional<ExitReach> reached{};     ///< where it is followed
 };
 
 }  // namespace tramline

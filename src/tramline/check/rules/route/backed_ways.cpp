@@ -29,7 +29,8 @@ struct Later {
   bool operator()(const Range& a, const Range& b) const { return a.at_least_s > b.at_least_s; }
 };
 
-/// The least of ways that back out and in by distances in some ranges, the most promising split first.
+/// The least of ways that back out and in by distances in some ranges, the most promising split first. Behind
+/// a bend they have backed round it before they back, or drive forward from there over work that is no way.
 struct Search {
   const WayCosts& costs;
   const WayEnd& from;
@@ -40,8 +41,9 @@ struct Search {
 
   /// What is driven forward where all of the range backs so far at the most.
   double forward_m(const Range& range, const Distances& most) const {
-    const double lift_m = range.out ? 0 : costs.turning.lift_m,
-                 lower_m = range.in ? 0 : costs.turning.lower_m;
+    const bool bends = from.behind_m + to.behind_m > 0;
+    const double lift_m = range.out || bends ? 0 : costs.turning.lift_m,
+                 lower_m = range.in || bends ? 0 : costs.turning.lower_m;
     const Pose begins = moved_on(from.backed(most.out_m), lift_m),
                ends = moved_on(to.backed(most.in_m), -lower_m);
     double out_m = least_forward_m(begins, ends, costs.radius_m);
@@ -71,9 +73,11 @@ struct Search {
 
   double seconds(const Range& range, const Distances& at, double ahead_m) const {
     const int stops = range.out && range.in && ahead_m > 0 ? 2 : range.out || range.in ? 1 : 0;
+    const double bends_back_m = (range.out ? from.behind_m : 0) + (range.in ? to.behind_m : 0);
+    const double bends_ahead_m = from.behind_m + to.behind_m - bends_back_m;
     return stops * costs.stop_s +
-           std::max(at.out_m + at.in_m, range.together_m) / costs.turning.reverse_speed_mps +
-           std::max(0.0, ahead_m) / costs.turning.turning_speed_mps;
+           (bends_back_m + std::max(at.out_m + at.in_m, range.together_m)) / costs.turning.reverse_speed_mps +
+           (std::max(0.0, ahead_m) - bends_ahead_m) / costs.turning.turning_speed_mps;
   }
 
   /// Where it backed less far, the machine could come forward to from farther back.
@@ -143,7 +147,9 @@ struct Search {
 
 }  // namespace
 
-Pose WayEnd::backed(double by_m) const { return pose_of(course->line().place(from_m + sense * by_m)); }
+Pose WayEnd::backed(double by_m) const {
+  return pose_of(course->line().place(from_m + sense * (behind_m + by_m)));
+}
 
 std::vector<TurnedRound> turned_round(const WayEnd& from, const WayEnd& to) {
   std::vector<TurnedRound> out;

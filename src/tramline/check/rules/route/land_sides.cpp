@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "tramline/check/rules/route/sides_ahead.h"
 #include "tramline/check/turning/driven_machine.h"
@@ -65,6 +66,19 @@ std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
   if (sense < 0) std::ranges::reverse(out);
   return out;
 }
+
+/// Those that begin so far along the line or farther.
+std::vector<Piece> pieces_behind(const WorkedCourse& course, double sense, double from_m) {
+  std::vector<Piece> out = pieces_from(course, sense);
+  double at_m = 0;
+  std::erase_if(out, [&](const Piece& piece) {
+    const double begins_m = std::exchange(at_m, at_m + piece.length_m);
+    return begins_m < from_m - kEnough_m;
+  });
+  return out;
+}
+
+double turned(Point ahead, Point from) { return dot(ahead, from) > 0 ? std::abs(cross(ahead, from)) : 1; }
 
 /// Along pieces of a line, in order, whose poses are told by how far they lie along it.
 template <class PoseAt>
@@ -149,7 +163,7 @@ double LandSides::missing_m(const HullSide& side, const Pose& at, Point off, Com
 
 double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const {
   double at_m = 0;
-  for (const Piece& piece : pieces_from(*end.course, end.sense)) {
+  for (const Piece& piece : pieces_behind(*end.course, end.sense, end.behind_m)) {
     const double to_m = std::min(at_m + piece.length_m, end.follows_m);
     while (at_m < to_m) {
       const Pose pose = end.backed(at_m);
@@ -166,20 +180,18 @@ double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes co
 }
 
 WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sense, double straight_on_m,
-                          Followed followed) const {
+                          Followed followed, double behind_m) const {
   WayEnd out;
   out.course = course;
   out.from_m = from_m;
   out.sense = sense;
+  out.behind_m = behind_m;
   out.at = out.backed(0);
   const Point heading = out.at.heading.unit();
   out.off = -sense * heading;
   Point before = heading;
-  const auto turned = [&](Point ahead, Point from) {
-    return dot(ahead, from) > 0 ? std::abs(cross(ahead, from)) : 1;
-  };
   double at_m = 0;
-  const std::vector<Piece> pieces = pieces_from(course, sense);
+  const std::vector<Piece> pieces = pieces_behind(course, sense, behind_m);
   for (const Piece& piece : pieces) {
     // A position at a kink itself may be on either side of it; headings turn by nothing within so little.
     constexpr double kJustInside_m = 1e-9;
@@ -212,11 +224,36 @@ WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sens
   return out;
 }
 
+/// What lies behind pieces that turn the machine by more than a line is followed, as long as it could drive
+/// the line from there.
+std::vector<WayEnd> LandSides::behind_bends(const WayEnd& all) const {
+  std::vector<WayEnd> out;
+  double longest_m = all.follows_m;
+  for (WayEnd last = all; !last.to_far_end;) {
+    const std::vector<Piece> rest = pieces_behind(*last.course, last.sense, last.behind_m + last.follows_m);
+    if (rest.size() < 2 || std::abs(rest.front().curvature) * costs_.radius_m > 1 + kSharperShare) break;
+    const auto kinked_at = [&](double at_m) {
+      constexpr double kJust_m = 1e-9;
+      return turned(last.backed(at_m + kJust_m).heading.unit(), last.backed(at_m - kJust_m).heading.unit()) >
+             kKink;
+    };
+    const double bend_m = rest.front().length_m;
+    if ((last.follows_m > 0 && kinked_at(last.follows_m)) || kinked_at(last.follows_m + bend_m)) break;
+    last = way_end(*all.course, all.from_m, all.sense, 0, Followed::kAll,
+                   last.behind_m + last.follows_m + bend_m);
+    if (last.follows_m <= longest_m) continue;
+    longest_m = last.follows_m;
+    out.push_back(last);
+  }
+  return out;
+}
+
 LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double sense,
                                double straight_on_m) const {
   LineEnd out{way_end(course, from_m, sense, straight_on_m, Followed::kAll)};
   if (out.all.turns > kStraight)
     out.straight = way_end(course, from_m, sense, straight_on_m, Followed::kStraight);
+  out.behind = behind_bends(out.all);
   if (land_)
     out.line = steps_along(pieces_from(course, sense), [&](double at_m) { return out.all.backed(at_m); });
   return out;
@@ -326,8 +363,10 @@ double LandSides::farther_s(const WayEnd& from, const WayEnd& to, const SingleSt
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
     const bool along = (&end == &from ? may.out : may.in) && !end.to_far_end;
     const bool on = (&end == &from ? may.out_and_on : may.in_and_on) && reached_by_one_stop(end, other);
-    return (along || on ? 1 : 2) * costs_.stop_s + end.follows_m / costs_.turning.reverse_speed_mps +
-           least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps;
+    return (along || on ? 1 : 2) * costs_.stop_s +
+           (end.behind_m + end.follows_m) / costs_.turning.reverse_speed_mps +
+           least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps -
+           other.behind_m / costs_.turning.turning_speed_mps;
   };
   return std::min(beyond_s(from, to), beyond_s(to, from));
 }
@@ -373,8 +412,22 @@ double LandSides::both_s(const LineEnd& from, const LineEnd& to, const SingleSto
   return way_s(from.straight.value_or(from.all), to.straight.value_or(to.all), may, all_s, enough_s);
 }
 
+/// From behind the bends of either line.
+double LandSides::behind_bends_s(const LineEnd& from, const LineEnd& to, double known_s,
+                                 double enough_s) const {
+  const auto ends = [](const LineEnd& line) {
+    return line.behind.empty() ? std::vector<WayEnd>{line.all} : line.behind;
+  };
+  double out_s = known_s;
+  if (from.behind.empty() && to.behind.empty()) return out_s;
+  for (const WayEnd& leaves : ends(from))
+    for (const WayEnd& enters : ends(to))
+      if (out_s < enough_s) out_s = way_s(leaves, enters, {}, out_s, enough_s);
+  return out_s;
+}
+
 double LandSides::least_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const {
-  const double anyhow_s = both_s(from, to, {}, known_s, enough_s);
+  const double anyhow_s = behind_bends_s(from, to, both_s(from, to, {}, known_s, enough_s), enough_s);
   if (anyhow_s >= enough_s || !land_) return anyhow_s;
   return both_s(from, to, single_stop(from, to), anyhow_s, enough_s);
 }

@@ -54,7 +54,8 @@ class LandSides {
   LineEnd end_of_line(const WorkedCourse& course, double from_m, double sense, double straight_on_m) const;
   enum class Followed { kAll, kStraight };
   WayEnd way_end(const WorkedCourse& course, double from_m, double sense, double straight_on_m,
-                 Followed followed) const;
+                 Followed followed, double behind_m = 0) const;
+  std::vector<WayEnd> behind_bends(const WayEnd& all) const;
   enum class Comes { kEitherWay, kTheFarWay };
   double missing_m(const HullSide& side, const Pose& at, Point off, Comes comes) const;
   double far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const;
@@ -75,6 +76,7 @@ class LandSides {
   double along_lines_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s) const;
   double way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
                double enough_s) const;
+  double behind_bends_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const;
   double both_s(const LineEnd& from, const LineEnd& to, const SingleStop& may, double known_s,
                 double enough_s) const;
 

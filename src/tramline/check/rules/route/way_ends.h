@@ -36,8 +36,9 @@ struct WayEnd {
   Pose at;
   Point off;  ///< unit vector, off the line
   std::optional<WorkedCourse> course{};
-  double from_m = 0;  ///< the position of `at` along the course
-  double sense = 0;   ///< of backing along it: -1 or +1
+  double from_m = 0;    ///< the position of `at` along the course
+  double sense = 0;     ///< of backing along it: -1 or +1
+  double behind_m = 0;  ///< so far behind a bend: ways lead off or to the end of all of the line
   double follows_m = 0;
   bool to_far_end = false;  ///< it follows all of the line
   double turns = 0;         ///< the greatest sine of the angle between the line and `off`
@@ -47,11 +48,13 @@ struct WayEnd {
   Pose backed(double by_m) const;
 };
 
-/// An end of a line, with all of the line that it may back along, and with what of it is straight from there
-/// on: both bound its ways, the one by how far it may back, the other by the heading it keeps.
+/// An end of a line, with all of the line that it may back along, with what of it is straight from there on,
+/// and with what lies behind bends: all bound its ways, by how far it may back or by the heading it keeps.
+/// Off the end the machine drives on from behind a bend, unless it backs as far as that.
 struct LineEnd {
   WayEnd all;
   std::optional<WayEnd> straight{};  ///< where the line bends
+  std::vector<WayEnd> behind{};      ///< each longer than those before
   std::vector<LineStep> line{};      ///< all of it
 };
 
