@@ -154,8 +154,9 @@ std::string tally_rows(const Plan& plan) {
   const Tally& tally = plan.tally;
   constexpr std::size_t kShown = 8;
   std::string out;
-  out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
-                     directions_text(directions_of(plan), kShown));
+  out += plan.subfields.empty() ? "subfields    none: headland passes work the field alone\n"
+                                : fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
+                                              directions_text(directions_of(plan), kShown));
   if (const std::ptrdiff_t given = given_subfields(plan); given > 0)
     out += fmt::format("drawn        {} of them by hand\n", given);
   out += headland_rows(plan) + line_rows(plan);
