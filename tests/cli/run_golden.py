@@ -56,7 +56,7 @@ import tempfile
 import json_form
 from case_file import BadCase, CaseFile
 
-TIME_LIMIT_S = 120
+TIME_LIMIT_S = 300
 HERE = pathlib.Path(__file__).resolve().parent
 
 MASKS = [

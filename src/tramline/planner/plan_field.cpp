@@ -51,7 +51,7 @@ ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Exp
   }
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);
-  if (context.cut_short()) mark_cut_short(out.plan);
+  if (context.cut_short() || out.plan.proof.cut_short) mark_cut_short(out.plan);
   return out;
 }
 

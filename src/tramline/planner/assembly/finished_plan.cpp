@@ -123,6 +123,7 @@ PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
   if (out.driven.route) {
     out.parts = out.driven.route->parts;
     out.gave_up = out.driven.route->gave_up;
+    out.reached = out.driven.route->reached;
     tracks.stops = add_route(task.turning_land, *std::exchange(out.driven.route, std::nullopt), plan);
   }
   set_figures(plan, tracks);

@@ -16,9 +16,10 @@ void require_tracks(const SearchTask& task, const Tally& tally);
 /// the overlap of single pieces, encounters, layers of polygons, the bounds and warnings.
 struct PlanDraft {
   Plan plan;
-  Driven driven;          ///< without pieces and route, which the plan has
-  std::size_t parts = 1;  ///< of the land, which the route works one after the other
-  bool gave_up = false;   ///< with more patience another order might have been found
+  Driven driven;            ///< without pieces and route, which the plan has
+  std::size_t parts = 1;    ///< of the land, which the route works one after the other
+  bool gave_up = false;     ///< with more patience another order might have been found
+  std::size_t reached = 0;  ///< by searches for ways of the route, as of PlannedRoute
 };
 
 /// The best candidate as a draft. Throws as require_tracks().

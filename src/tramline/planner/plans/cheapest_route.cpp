@@ -46,14 +46,14 @@ void compare_all(RouteComparison& plans, RouteLayouts& layouts) {
     for (LaidOut& laid : layouts.behind_open_passes()) plans.add(std::move(laid));
     plans.plan_routes({kBegun, kFirstRoutes});
   }
-  if (!plans.has_best() || plans.goes_on()) vary_depth(plans, layouts, narrow);
-  if (plans.goes_on()) vary_curves(plans, layouts);
-  if (plans.goes_on()) vary_directions(plans, layouts);
-  if (plans.goes_on()) vary_prices(plans, layouts, PassesByBoundary(plans.best().passes));  // a copy
+  if (!plans.has_best() || plans.goes_on_varying()) vary_depth(plans, layouts, narrow);
+  if (plans.goes_on_varying()) vary_curves(plans, layouts);
+  if (plans.goes_on_varying()) vary_directions(plans, layouts);
+  if (plans.goes_on_varying()) vary_prices(plans, layouts, PassesByBoundary(plans.best().passes));  // a copy
   context.reach(kDepthFound);
-  if (plans.goes_on()) vary_obstacles(plans, layouts);
-  if (plans.goes_on()) vary_compass(plans, layouts);
-  if (plans.goes_on()) vary_grids(plans);
+  if (plans.goes_on_varying()) vary_obstacles(plans, layouts);
+  if (plans.goes_on_varying()) vary_compass(plans, layouts);
+  if (plans.goes_on_varying()) vary_grids(plans);
   if (plans.goes_on()) work_out_corners(plans);
   if (plans.goes_on()) try_adjacent_order(plans);
   if (plans.goes_on()) leave_out_tracks(plans);
@@ -124,7 +124,7 @@ ComparedRoutes cheapest_route(const PlanningProblem& problem, const std::vector<
   ComparedRoutes out = compared(plans, std::move(other));
   // What a search proves of the cost of tracks says nothing about whole routes.
   out.plan.proof = {};
-  out.plan.proof.cut_short = context.cut_short();
+  out.plan.proof.cut_short = context.cut_short() || plans.took_enough();
   return out;
 }
 

@@ -49,7 +49,7 @@ class Depths {
         obstacles_to_try(plans_.has_best() ? plans_.best().passes.obstacles : layouts_.passes_round_all());
     for (int passes = 0; passes <= layouts_.least_passes() + kDeeper; ++passes)
       for (const std::vector<int>& obstacles : round_obstacles) {
-        if (plans_.has_best() && plans_.has_to_end()) return;
+        if (plans_.has_best() && !plans_.goes_on_varying()) return;
         const PassesByBoundary round = layouts_.all_round(passes, obstacles);
         improves_with(round);
         if (narrow_) vary_prices(plans_, layouts_, round);
@@ -99,7 +99,7 @@ class Depths {
   }
 
   bool improves_with_passes(int passes) {
-    if (passes <= 0 || plans_.has_to_end()) return false;
+    if (passes <= 0 || !plans_.goes_on_varying()) return false;
     bool cheaper = false;
     for (const std::vector<int>& obstacles : obstacles_to_try(plans_.best().passes.obstacles))
       cheaper = improves_with(layouts_.all_round(passes, obstacles)) || cheaper;

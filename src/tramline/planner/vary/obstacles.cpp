@@ -33,7 +33,7 @@ void vary_one(RouteComparison& plans, RouteLayouts& layouts, std::size_t obstacl
 void search_behind(RouteComparison& plans, RouteLayouts& layouts, const std::vector<int>& obstacles) {
   PassesByBoundary with = plans.best().passes;
   with.obstacles = obstacles;
-  if (plans.has_to_end()) return;
+  if (!plans.goes_on_varying()) return;
   if (!layouts.has_searched(with))
     for (LaidOut& laid : layouts.searched(with)) plans.improves_on_such(std::move(laid));
   vary_prices(plans, layouts, with);

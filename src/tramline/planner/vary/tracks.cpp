@@ -24,7 +24,7 @@ void vary_grid(RouteComparison& plans, std::size_t of) {
   const Plan& plan = plans.plans()[of].plan();
   if (plan.pieces.empty() || !has_few_tracks(plan)) return;
   for (LaidOut& laid : beside(plans.plans()[of].laid, kRoutedBeside, plans.context())) {
-    if (plans.has_to_end()) return;
+    if (!plans.goes_on_varying()) return;
     plans.improves(std::move(laid));
   }
 }
@@ -91,7 +91,7 @@ void vary_compass(RouteComparison& plans, RouteLayouts& layouts) {
     append_all_round(plans, plans.plans()[of], layouts, all);
   std::ranges::stable_sort(all, {}, &Expected::costs);
   for (std::size_t i = 0; i < std::min(all.size(), kRoutedAllRound); ++i) {
-    if (plans.has_to_end()) return;
+    if (!plans.goes_on_varying()) return;
     plans.improves(plans.add(std::move(all[i].plan)));
   }
 }

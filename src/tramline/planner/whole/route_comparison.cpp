@@ -11,6 +11,13 @@
 #include "tramline/planner/whole/route_alternative.h"
 
 namespace tramline {
+namespace {
+
+/// Poses of roadmaps that searches for ways reach in about a minute. Of curated real fields up to 20 ha
+/// hardly one needs as many; strips with dozens of long tracks and obstacles need ten times as many.
+constexpr std::size_t kEnoughReached = 700'000;
+
+}  // namespace
 
 RouteComparison::RouteComparison(const PlanningProblem& problem, Compare compare,
                                  const SearchContext& context)
@@ -27,6 +34,8 @@ HeadlandTrial& RouteComparison::best_to_finish() {
   assert(best_);
   return plans_[*best_].laid.trial;
 }
+
+bool RouteComparison::took_enough() const { return reached_ > kEnoughReached; }
 
 double RouteComparison::least_price() const {
   return best_ ? *plans_[*best_].price : std::numeric_limits<double>::infinity();
@@ -69,6 +78,7 @@ bool RouteComparison::improves(std::size_t i) {
   const bool may_win = !best_ || least_expected(entry) + entry.lacks_room_like_others < least_price();
   if (!may_win && compare_ == Compare::kWhatMayWin) return false;
   plan_route(entry);
+  if (may_win) reached_ += entry.laid.trial.draft.reached;
   tell_of(entry);
   entry.only_told_of = !may_win;
   return may_win && is_cheapest(i);

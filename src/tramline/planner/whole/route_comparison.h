@@ -29,6 +29,10 @@ class RouteComparison {
   /// Whether there is a plan, and time to look for a cheaper one.
   bool goes_on() const { return best_ && !context_.has_to_end(); }
   bool has_to_end() const { return context_.has_to_end(); }
+  /// Whether routes took so long, where ways are hard to find, that no more plans are made from the best ones
+  /// by other passes, obstacles, directions and lines. Told by what they searched through, not by a clock.
+  bool took_enough() const;
+  bool goes_on_varying() const { return goes_on() && !took_enough(); }
 
   bool has_best() const { return best_.has_value(); }
   /// Precondition of these: has_best().
@@ -82,6 +86,7 @@ class RouteComparison {
   const SearchContext& context_;
   ComparedPlans plans_;
   std::optional<std::size_t> best_{};
+  std::size_t reached_ = 0;  ///< by searches for ways of plans that could win
   std::vector<RouteAlternative> told_of_;
 };
 

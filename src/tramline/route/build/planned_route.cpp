@@ -90,6 +90,7 @@ class RoutePlanner {
     out.tour = std::move(driven.tour);
     out.legs = std::move(driven.legs).finished();
     out.gave_up = gave_up_;
+    out.reached = roadmap_.reached();
     out.parts = parts.size();
     out.start = start_;
     out.end = end_;

@@ -62,6 +62,10 @@ class RoadmapWays {
   /// What searches over this roadmap have found to lead nowhere.
   Unreachable& unreachable() { return unreachable_; }
 
+  /// How many poses all searches over this roadmap have reached: what they took, on any machine.
+  std::size_t reached() const { return reached_; }
+  void count_reached() { ++reached_; }
+
  private:
   /// Of the words that lead on; or, between any poses, of all.
   enum class Words { kLeadOn, kAll };
@@ -82,6 +86,7 @@ class RoadmapWays {
   std::unordered_map<PosePairKey, std::optional<Way>, PoseHash> by_word_{};
   std::unordered_map<PoseKey, bool, PoseHash> entered_{};
   Unreachable unreachable_;
+  std::size_t reached_ = 0;
 };
 
 /// The ways of a roadmap that is built when it is first asked for: most fields do without. One object serves
@@ -94,6 +99,8 @@ class RoadmapOnDemand {
     if (!ways_) ways_.emplace(build_(), ground_);
     return *ways_;
   }
+  /// RoadmapWays::reached(); 0 where none was asked for.
+  std::size_t reached() const { return ways_ ? ways_->reached() : 0; }
 
  private:
   std::function<Roadmap()> build_;

@@ -94,6 +94,7 @@ class WaySearch {
       visits_[to].from = next.move.from;
       visits_[to].way = next.way;
       if (is_end(to)) return found(to);
+      if (!is_begin(to)) ways_on_.count_reached();
       if (!is_begin(to) && ++reached == kLooksAhead && ends_.size() <= kFewEnds)
         drop_ends_that_nothing_enters();
       leave(to);
