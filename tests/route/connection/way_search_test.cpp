@@ -55,5 +55,22 @@ TEST(QuickestWay, IsAShortWordOnlyFromAPlaceBackedToFarAway) {
   EXPECT_NEAR(length(way->path), 2 * longest_m - 15, 1e-6);
 }
 
+// Lines lead on where no word is long enough. What searches reach on them tells how long they take.
+TEST(QuickestWay, CountsThePosesThatItReachesOnLines) {
+  OpenLand on;
+  const double longest_m = on.ways.longest_word_m();
+  const SteeredPath line{arc_from(OpenLand::east(5), longest_m + 10, 0, Gear::kForward)};
+  RoadmapWays along{Roadmap{{{line}}, 4}, on.ground};
+  ASSERT_EQ(along.reached(), 0U);
+  WayEnd begin{OpenLand::east(0)};
+  begin.path = {arc_from(OpenLand::east(longest_m + 5), longest_m + 5, 0, Gear::kReverse)};
+  ASSERT_TRUE(quickest_way({begin}, {{OpenLand::east(longest_m + 20)}}, along, on.ground));
+  const std::size_t reached = along.reached();
+  EXPECT_GT(reached, 0U);
+  EXPECT_LE(reached, along.roadmap().poses().size());
+  ASSERT_TRUE(quickest_way({begin}, {{OpenLand::east(longest_m + 20)}}, along, on.ground));
+  EXPECT_EQ(along.reached(), 2 * reached);
+}
+
 }  // namespace
 }  // namespace tramline
