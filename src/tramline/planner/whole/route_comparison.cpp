@@ -13,8 +13,8 @@
 namespace tramline {
 namespace {
 
-/// Poses of roadmaps that searches for ways reach in about a minute. Of curated real fields up to 20 ha
-/// hardly one needs as many; strips with dozens of long tracks and obstacles need ten times as many.
+/// Poses of roadmaps that searches for ways reach in about a minute. Of six slow real fields of up to 6 ha
+/// the most took 624,000; a strip of 800 m full of passes 1.5 m wide took more than 1,900,000.
 constexpr std::size_t kEnoughReached = 700'000;
 
 }  // namespace

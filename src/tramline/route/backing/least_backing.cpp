@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/route/axle/axle_path.h"

@@ -35,7 +35,7 @@ struct PlannedRoute {
   order::Tour tour;  ///< over the lines
   std::vector<RouteLeg> legs;
   bool gave_up = false;          ///< as of TrackTour, for one of its parts at least
-  std::size_t reached = 0;       ///< poses, by all searches for ways: RoadmapWays::reached()
+  std::size_t reached = 0;       ///< poses, by searches for ways with room: RoadmapWays::reached()
   std::size_t parts = 1;         ///< of the land with work, between which it has to leave the land
   std::optional<Point> start{};  ///< gates as driven: moved to where the machine has room
   std::optional<Point> end{};
