@@ -70,6 +70,20 @@ TEST(LeastBacking, AtAnObliqueEdgeIsLess) {
   EXPECT_NEAR(exit.near.front().back_m, (6 - 0.05) / std::cos(30 * std::numbers::pi / 180), 2e-3);
 }
 
+// From a track that ends at the edge to a line along it, 3 m farther off: rounding that turns this line by
+// less than any machine could makes no difference.
+TEST(LeastBacking, DoesNotHangOnHowALineAlongASideIsRounded) {
+  const Machine machine = six_metres();
+  const LeastBacking backing(rectangle_of(100, 200), 0, machine);
+  const auto to_heading = [&](double degrees) {
+    const SteeredPath along{arc_from({{60, 197}, towards_deg(degrees)}, 30, 0, Gear::kForward)};
+    return between(backing, north_to({40, 200}, 150), along, machine);
+  };
+  const double exactly_s = to_heading(90);
+  EXPECT_GT(exactly_s, 8.95);
+  for (const double degrees : {90 - 1e-8, 90 + 1e-8}) EXPECT_NEAR(to_heading(degrees), exactly_s, 1e-3);
+}
+
 // Between edges 15 m apart no machine turns round that takes up 6 m and turns by 12 m: it backs all along the
 // one track, or drives on to its end and backs into the other.
 TEST(LeastBacking, OnAStripIsAllAlongIt) {

@@ -19,6 +19,9 @@ namespace {
 constexpr double kTouching_m = 0.05;
 /// Headings parallel to a side to this sine do not lead to it.
 constexpr double kParallel = 1e-6;
+/// Lines that are parallel to a side but for rounding lead away from it by less than this sine: less than the
+/// verifier holds for parallel.
+constexpr double kLeadsAway = 1e-8;
 /// A side is far enough where no more than this is lacking, m.
 constexpr double kFarEnough_m = 1e-3;
 
@@ -85,7 +88,7 @@ Needed needed_of(const LineExit& exit, const LineExit& other, double radius_m) {
   Needed out;
   HeadsAllAlong& least = out.or_all_along;
   for (const NearSide& side : exit.near) {
-    if (dot(outwards(other), side.inwards) + other.bent > 0) {
+    if (dot(outwards(other), side.inwards) + other.bent > kLeadsAway) {
       const double farther_m = dot(other.pose.at - exit.pose.at, side.inwards);
       if (farther_m <= 0) continue;
       const HeadsAllAlong ways = all_along(side, exit, other, farther_m, radius_m);

@@ -7,6 +7,10 @@
 namespace tramline::check {
 namespace {
 
+/// Lines that lead away from a side by no more than this sine are parallel to it, and those straight that
+/// turn by no more than the other: what rounding does to them.
+constexpr double kParallel = 1e-6, kNotBent = 1e-9;
+
 /// What a way comes nearer to a side by that it heads for all along while it gets aside by `aside_m`, its
 /// heading at first and last `leans` and `leans_to` to that side (rad): it is turned aside by as much as arcs
 /// from both ends allow, to an angle that is found by halving.
@@ -30,7 +34,7 @@ Instead heading_all_along(const SideAhead& side, const WayEnd& end, const WayEnd
   const double leaves = end.turns - dot(end.off, side.inwards);
   Instead out;
   out.together_m = out.here_m = out.there_m = nearer_m / std::max(arrives, leaves);
-  if (end.turns > 0 || other.turns > 0) return out;
+  if (std::max(end.turns, other.turns) > kNotBent) return out;
   // From where the way begins to where it ends, with one end backed by so much.
   const auto leads = [&](const WayEnd& backs, double by_m) {
     const Point here = (&backs == &end ? end.backed(by_m) : end.at).at,
@@ -60,7 +64,7 @@ Instead heading_all_along(const SideAhead& side, const WayEnd& end, const WayEnd
 Asked asked(const WayEnd& end, const WayEnd& other, double radius_m) {
   Asked out;
   for (const SideAhead& side : end.sides) {
-    if (dot(other.off, side.inwards) + other.turns > 0) {
+    if (dot(other.off, side.inwards) + other.turns > kParallel) {
       const double nearer_m = dot(other.at.at - end.at.at, side.inwards);
       if (nearer_m <= 0) continue;
       const Instead ways = heading_all_along(side, end, other, nearer_m, radius_m);
