@@ -4,8 +4,8 @@
 #include <cassert>
 #include <functional>
 
-#include "tramline/model/rate_values.h"
 #include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/whole/leg_prices.h"
 #include "tramline/route/connection/least_seconds.h"
 
 namespace tramline {
@@ -17,28 +17,6 @@ constexpr std::size_t kLongestRun = 8;
 constexpr double kLeastSaved = 0.5;
 
 bool is_worth_leaving(double saved, double lost) { return saved >= std::max(kLeastSaved, lost); }
-
-/// What legs cost in euros.
-class LegPrices {
- public:
-  explicit LegPrices(const Machine& machine)
-      : machine_(machine), rates_(rates_of(machine)), second_(second_prices(rates_)) {}
-
-  double of(const RouteLeg& leg) const {
-    double out = (leg.work ? second_.at_work : second_.work_off) * leg.time_s;
-    if (leg.kind == LegKind::kBackOut) out += rates_.price_per_stop;
-    if (lacks_room(leg, machine_)) out += kPriceWithoutRoom;
-    return out;
-  }
-  double idle(double seconds) const { return second_.work_off * seconds; }
-  double missed(double area_m2) const { return missed_price_per_m2(rates_) * area_m2; }
-  double overlap(double area_m2) const { return overlap_price_per_m2(rates_) * area_m2; }
-
- private:
-  const Machine& machine_;
-  Rates rates_;
-  SecondPrices second_;
-};
 
 const LaidPiece& laid_piece(const HeadlandTrial& trial, std::size_t piece) {
   const LaidIndex index = trial.draft.driven.laid[piece];
