@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace tramline::laid_pieces_test {
 
 constexpr double kWidth = 3;
@@ -60,6 +62,25 @@ TEST(EndRules, OnAParallelogram) {
     EXPECT_EQ(sums.pieces, 10) << name(c.rule);
     EXPECT_NEAR(sums.overlap, 20 * kWedge * c.fraction * c.fraction, kRowEnds) << name(c.rule);
     EXPECT_NEAR(sums.uncovered, 20 * kWedge * (1 - c.fraction) * (1 - c.fraction), kRowEnds) << name(c.rule);
+  }
+}
+
+// Over 3 m of a row an edge at 45° crosses it: what is cut off at one end by 5 m is a wedge and 2 m of the
+// whole width, and what is left lies inside, but for the wedge at the other end.
+TEST(CutTo, LeavesThePieceBetweenTwoPositions) {
+  const TrackFamily family =
+      straight_tracks(north_grid(), kParallelogram, {}, end_criterion(EndRule::kCover, {}, kWidth));
+  for (const LaidPiece& piece : cut_pieces(family, 6).pieces) {
+    const auto track = std::ranges::find(family.tracks, piece.track, &Track::index);
+    ASSERT_NE(track, family.tracks.end());
+    const LaidPiece late = cut_to(*track, piece, piece.from + 5, piece.to);
+    EXPECT_EQ(late.to, piece.to);
+    EXPECT_NEAR(late.length_m, piece.length_m - 5, 1e-9);
+    EXPECT_NEAR(late.inside_m2, kWidth * late.length_m - kWedge, 1e-4);
+    EXPECT_NEAR(piece.inside_m2 - late.inside_m2, kWedge + 2 * kWidth, 1e-4);
+    const LaidPiece middle = cut_to(*track, piece, piece.from + 5, piece.to - 7);
+    EXPECT_NEAR(middle.inside_m2, kWidth * middle.length_m, 1e-9);
+    EXPECT_FALSE(middle.stop_at_from || middle.stop_at_to);
   }
 }
 

@@ -13,6 +13,10 @@ export const PROGRAM: Readonly<Record<string, string>> = {
   'the field is worked by its headland passes alone: they leave no room for tracks': 'das Feld wird allein von seinen Vorgewenderunden bearbeitet: Sie lassen keinen Platz für Spuren',
   'not worth the way: {0} {1}, {2} m in all, would cost more to drive to and work than the land is worth': 'den Weg nicht wert: {0} {1}, insgesamt {2} m, hinzufahren und sie zu bearbeiten würde mehr kosten, als das Land wert ist',
   'not driven: {0} {1} shorter than {2} m, {3} m in all': 'nicht gefahren: {0} {1}, kürzer als {2} m, insgesamt {3} m',
+  'shortened: {0} {1} of tracks, by up to {2} m: there the machine turns at once, where it would have to stop or to drive a loop farther on':
+    'gekürzt: {0} {1} von Spuren, um bis zu {2} m: Dort wendet die Maschine in einem Zug, wo sie weiter außen anhalten oder eine Schleife fahren müsste',
+  end: 'Ende',
+  ends: 'Enden',
   piece: 'Stück',
   pieces: 'Stücke',
   '{0} of {1} tracks {2} shorter than {3} m, twice the turning radius and the working width: hardly worth turning for':

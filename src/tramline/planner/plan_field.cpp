@@ -12,27 +12,31 @@
 #include "tramline/planner/plans/plan_by_routes.h"
 #include "tramline/planner/plans/searched_plan.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/planner/whole/shorter_ends.h"
 
 namespace tramline {
 namespace {
 
-/// A plan behind given passes, or with their corners worked out where its route then costs less.
-Plan or_with_worked_corners(Plan plan, const PlanningProblem& problem, const SearchContext& context) {
+/// The least that the cost of a plan is told to, EUR.
+constexpr double kWorthIt = 0.01;
+
+/// A plan behind given passes, or with their corners worked out and with shorter ends of tracks where its
+/// route then costs less.
+Plan or_with_cheaper_route(Plan plan, const PlanningProblem& problem, const SearchContext& context) {
   const PlanSettings& settings = problem.settings;
-  const bool round =
-      settings.route.corners == PassCorners::kRound || settings.tracks != TrackConstruction::kParallel;
-  if (round || plan.headland.passes.empty() || plan.subfields.empty() || context.has_to_end()) return plan;
+  if (settings.tracks != TrackConstruction::kParallel || plan.subfields.empty() || context.has_to_end())
+    return plan;
   const PassesByBoundary none{std::vector<int>(problem.field.outer.size(), 0),
                               std::vector<int>(problem.field.obstacles.size(), 0)};
   const SearchContext laying = context.uncounted().without_bound();
   std::optional<HeadlandTrial> trial =
       headland_trial(problem, plan, as_set(problem, none), Offset::kOfLayout, laying);
   if (!trial) return plan;
-  const std::vector<HeadlandPass> passes = trial->prepared.headland.passes;
-  HeadlandTrial worked = or_with_worked_corners(*std::move(trial));
-  if (worked.prepared.headland.passes == passes) return plan;
-  Plan out = finished(std::move(worked), laying);
-  return whole_cost(out).euros() < whole_cost(plan).euros() ? out : plan;
+  const bool round = settings.route.corners == PassCorners::kRound || plan.headland.passes.empty();
+  HeadlandTrial worked = round ? *std::move(trial) : or_with_worked_corners(*std::move(trial));
+  HeadlandTrial cheaper = with_shorter_ends(std::move(worked));
+  const double saved = whole_cost(plan).euros() - whole_cost(cheaper.draft.plan).euros();
+  return saved >= kWorthIt ? finished(std::move(cheaper), laying) : plan;
 }
 
 ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
@@ -47,7 +51,7 @@ ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Exp
     out = planned_with_headlands_for_turns(problem, decides, context);
   else {
     out = searched_plan(problem, context, explain);
-    if (whole) out.plan = or_with_worked_corners(std::move(out.plan), problem, context);
+    if (whole) out.plan = or_with_cheaper_route(std::move(out.plan), problem, context);
   }
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);

@@ -187,6 +187,24 @@ void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings) {
   warnings.insert(last, all.begin(), all.end());
 }
 
+void add_shorter_ends(const Candidate& candidate, std::vector<std::string>& warnings) {
+  constexpr double kWorthSaying_m = 0.05;
+  int ends = 0;
+  double most_m = 0;
+  for (const LaidTracks& tracks : candidate.avoided.tracks)
+    for (const LaidPiece& piece : tracks.pieces)
+      for (const double short_m : {piece.short_at_from_m, piece.short_at_to_m})
+        if (short_m >= kWorthSaying_m) {
+          ++ends;
+          most_m = std::max(most_m, short_m);
+        }
+  if (ends == 0) return;
+  warnings.push_back(
+      fmt::format("shortened: {} {} of tracks, by up to {:.2f} m: there the machine turns at once, where it "
+                  "would have to stop or to drive a loop farther on",
+                  ends, ends == 1 ? "end" : "ends", most_m));
+}
+
 void mark_cut_short(Plan& plan) {
   plan.proof.cut_short = true;
   std::vector<std::string> all{

@@ -26,6 +26,9 @@ void add_parts(std::size_t parts, std::vector<std::string>& warnings);
 /// Adds what the sweep left out to the warnings of warnings_about().
 void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings);
 
+/// Adds how many ends of tracks were made shorter by an amount worth saying, and by how much at the most.
+void add_shorter_ends(const Candidate& candidate, std::vector<std::string>& warnings);
+
 /// Marks a plan as that of a search that was ended early, in Proof::cut_short and in a warning.
 void mark_cut_short(Plan& plan);
 

@@ -152,6 +152,16 @@ std::vector<Path> paths_on_track(const LaidPiece& piece) {
   return out;
 }
 
+LaidPiece cut_to(const Track& track, const LaidPiece& piece, double from, double to) {
+  assert(!track.closed && piece.from <= from && from < to && to <= piece.to);
+  const Interval whole{from, to};
+  LaidPiece out = piece_of({whole, piece.detours, length_of(whole, piece.detours)}, track);
+  out.after_crossing = piece.after_crossing;
+  out.short_at_from_m = piece.short_at_from_m + (from - piece.from);
+  out.short_at_to_m = piece.short_at_to_m + (piece.to - to);
+  return out;
+}
+
 std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
                                             const std::vector<TrackDetour>& detours) {
   assert(sorted_and_apart(detours));

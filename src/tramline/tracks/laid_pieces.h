@@ -31,6 +31,8 @@ struct LaidPiece {
   bool stop_at_to = false;
   bool after_crossing = false;         ///< a passable obstacle, and nothing else, lies before `from`
   std::vector<TrackDetour> detours{};  ///< along the track, not overlapping
+  double short_at_from_m = 0;          ///< by so much cut_to() has cut it at `from`
+  double short_at_to_m = 0;
 };
 
 /// The stretches in which the piece keeps to its track: before, between and after its detours.
@@ -38,6 +40,10 @@ Intervals parts_on_track(const LaidPiece& piece);
 
 /// The same parts as paths in the frame of the grid. Precondition: the piece is one of a curved track.
 std::vector<Path> paths_on_track(const LaidPiece& piece);
+
+/// The piece between two positions along its track, of which none lies in or beyond one of its detours.
+/// Preconditions: the piece is one of the track, which is not closed, and piece.from ≤ from < to ≤ piece.to.
+LaidPiece cut_to(const Track& track, const LaidPiece& piece, double from, double to);
 
 /// The pieces driven on the tracks of one family.
 struct LaidTracks {

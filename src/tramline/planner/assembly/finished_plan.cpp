@@ -150,6 +150,7 @@ Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const
   plan.warnings = warnings_about(plan);
   add_parts(draft.parts, plan.warnings);
   add_limits(found.limits, plan.warnings);
+  add_shorter_ends(found.best, plan.warnings);
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/vary/corners.h"
 #include "tramline/planner/vary/depth.h"
+#include "tramline/planner/vary/ends.h"
 #include "tramline/planner/vary/left_out_tracks.h"
 #include "tramline/planner/vary/obstacles.h"
 #include "tramline/planner/vary/orders.h"
@@ -55,6 +56,7 @@ void compare_all(RouteComparison& plans, RouteLayouts& layouts) {
   if (plans.goes_on_varying()) vary_compass(plans, layouts);
   if (plans.goes_on_varying()) vary_grids(plans);
   if (plans.goes_on()) work_out_corners(plans);
+  if (plans.goes_on()) shorten_ends(plans);
   if (plans.goes_on()) try_adjacent_order(plans);
   if (plans.goes_on()) leave_out_tracks(plans);
   if (plans.goes_on()) look_longer_for_orders(plans);

@@ -12,6 +12,7 @@
 #include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/plans/cheapest_headlands.h"
 #include "tramline/planner/prepare_field.h"
+#include "tramline/planner/whole/shorter_ends.h"
 
 namespace tramline {
 namespace {
@@ -103,6 +104,7 @@ ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, D
                                                const SearchContext& context) {
   std::optional<HeadlandTrial> best = best_trial(problem, decides, context, context);
   if (!best) return planned_without_tracks(problem, context);
+  if (decides == Decides::kWholeCost) best = with_shorter_ends(*std::move(best));
   return {finished(*std::move(best), context), std::nullopt};
 }
 
