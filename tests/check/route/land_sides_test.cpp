@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "check/plans.h"
 #include "tramline/check/rules/route/route_facts.h"
 
@@ -61,6 +64,28 @@ TEST(LandSides, AskForAStopWhereNoWayForwardLeadsToAClosedPass) {
   }
   const WorkedCourse track = north_to({40, 189}, plan);
   EXPECT_EQ(sides->stops_s(sides->leaving(track), ahead), 0);
+}
+
+// Two tracks at 45° to an edge 9 m ahead, 8.49 m apart: between them is a loop of 270°, and √(8.49² + 12²) m
+// besides. A track of two pieces, the second of which is turned by a hundred-millionth, is straight as well.
+TEST(LandSides, AskForALoopOfTracksThatRoundingBends) {
+  Plan plan = plan_with_a_stop();
+  plan.field.outer = {{0, 0}, {400, 0}, {400, 200}, {0, 200}};
+  plan.route.proof.stop_s = 0;
+  plan.machine.turning.turning_speed_mps = 1.5;
+  plan.machine.turning.reverse_speed_mps = 1;
+  plan.machine.turning.gear_change_s = 10;  // or it would back
+  const std::optional<LandSides> sides = LandSides::of(plan);
+  ASSERT_TRUE(sides);
+  const double apart_m = 6 * std::numbers::sqrt2, along_m = 60 / std::numbers::sqrt2;
+  const Point off{200, 191}, back{200 - apart_m, 191}, along{along_m, along_m};
+  const WorkedCourse entered({{back, back - along, 0}}, PathEnds::kApart, plan.machine);
+  const double loop_s = (1.5 * std::numbers::pi * 6 + std::hypot(apart_m, 12)) / 1.5;
+  for (const double aside_m : {0.0, 3e-7, -3e-7}) {
+    const Point middle = off - 0.5 * along + Point{aside_m, -aside_m};
+    const WorkedCourse left({{off - along, middle, 0}, {middle, off, 0}}, PathEnds::kApart, plan.machine);
+    EXPECT_NEAR(sides->least_s(sides->leaving(left), sides->entering(entered), 0, kNever_s), loop_s, 0.3);
+  }
 }
 
 // Nothing is known where a route never stops.

@@ -19,9 +19,9 @@ namespace {
 constexpr double kTouching_m = 0.05;
 /// Headings parallel to a side to this sine do not lead to it.
 constexpr double kParallel = 1e-6;
-/// Lines that are parallel to a side but for rounding lead away from it by less than this sine: less than the
-/// verifier holds for parallel.
-constexpr double kLeadsAway = 1e-8;
+/// Lines that are parallel to a side but for rounding lead away from it by no more than this sine, and those
+/// that are straight but for it turn by no more: less than the verifier takes for such.
+constexpr double kLeadsAway = 1e-7, kNotBent = 1e-7;
 /// A side is far enough where no more than this is lacking, m.
 constexpr double kFarEnough_m = 1e-3;
 
@@ -174,7 +174,7 @@ LineExit LeastBacking::exit_of(GentleRun run, const Pose& pose, double backing, 
   out.pose = pose;
   out.backing = backing;
   out.line = std::move(run.line);
-  out.bent = run.bent;
+  out.bent = run.bent > kNotBent ? run.bent : 0;
   out.length_m = length(out.line);
   out.whole = run.to_end;
   out.behind_m = run.begins_m;
@@ -211,8 +211,11 @@ LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double
   const Pose& pose = line.front().start;
   LineExits out{exit_of(first_run(line, terms_.radius_m), pose, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
-  if (out.whole.bent > 0 && bend != line.begin())
-    out.straight = exit_of({SteeredPath(line.begin(), bend)}, pose, backing, straight_on_m);
+  if (out.whole.bent > 0 && bend != line.begin()) {
+    GentleRun until_it_bends = first_run({line.begin(), bend}, terms_.radius_m);
+    until_it_bends.to_end = false;
+    out.straight = exit_of(std::move(until_it_bends), pose, backing, straight_on_m);
+  }
   if (std::optional<GentleRun> run = longest_run_behind_bends(line, terms_.radius_m)) {
     const Pose begins = run->line.front().start;
     out.behind_bend = exit_of(*std::move(run), begins, backing, 0);

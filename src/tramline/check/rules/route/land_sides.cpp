@@ -19,8 +19,6 @@ constexpr double kRoomFoundTo_m = 0.05;
 constexpr double kTurnsAtMost = 0.5;
 constexpr double kSideways = 1e-6;
 constexpr double kKink = 1e-6, kSharperShare = 1e-6;
-/// Lines that turn by no more than rounding, as a sine.
-constexpr double kStraight = 1e-9;
 constexpr double kEnough_m = 1e-6;
 
 /// The corners of the convex hull, anticlockwise, by going round it (Jarvis 1973).
@@ -212,7 +210,7 @@ WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sens
   for (const HullSide& side : sides_) {
     if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
       out.sides.push_back({side.inwards, far_enough_m(side, out, Comes::kEitherWay)});
-    if (out.turns > kStraight) continue;
+    if (out.turns > kTurnsByRounding) continue;
     const Point either{side.inwards.y, -side.inwards.x};
     const Point parallel = dot(out.off, either) > 0 ? either : -1 * either;
     if (std::abs(dot(out.off, side.inwards)) <= kSideways)
@@ -251,7 +249,7 @@ std::vector<WayEnd> LandSides::behind_bends(const WayEnd& all) const {
 LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double sense,
                                double straight_on_m) const {
   LineEnd out{way_end(course, from_m, sense, straight_on_m, Followed::kAll)};
-  if (out.all.turns > kStraight)
+  if (out.all.turns > kTurnsByRounding)
     out.straight = way_end(course, from_m, sense, straight_on_m, Followed::kStraight);
   out.behind = behind_bends(out.all);
   if (land_)

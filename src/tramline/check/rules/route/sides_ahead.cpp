@@ -7,9 +7,8 @@
 namespace tramline::check {
 namespace {
 
-/// Lines that lead away from a side by no more than this sine are parallel to it, and those straight that
-/// turn by no more than the other: what rounding does to them.
-constexpr double kParallel = 1e-6, kNotBent = 1e-9;
+/// Lines that lead away from a side by no more than this sine are parallel to it: what rounding does to them.
+constexpr double kParallel = 1e-6;
 
 /// What a way comes nearer to a side by that it heads for all along while it gets aside by `aside_m`, its
 /// heading at first and last `leans` and `leans_to` to that side (rad): it is turned aside by as much as arcs
@@ -34,7 +33,7 @@ Instead heading_all_along(const SideAhead& side, const WayEnd& end, const WayEnd
   const double leaves = end.turns - dot(end.off, side.inwards);
   Instead out;
   out.together_m = out.here_m = out.there_m = nearer_m / std::max(arrives, leaves);
-  if (std::max(end.turns, other.turns) > kNotBent) return out;
+  if (std::max(end.turns, other.turns) > kTurnsByRounding) return out;
   // From where the way begins to where it ends, with one end backed by so much.
   const auto leads = [&](const WayEnd& backs, double by_m) {
     const Point here = (&backs == &end ? end.backed(by_m) : end.at).at,

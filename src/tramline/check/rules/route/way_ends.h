@@ -15,6 +15,9 @@ namespace tramline::check {
 /// The time of a way that there is not.
 inline constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
+/// Lines that turn by no more than rounding are straight, as a sine.
+inline constexpr double kTurnsByRounding = 1e-6;
+
 /// A side of the convex hull of the land that is too near to where a line ends to turn forward from there.
 struct SideAhead {
   Point inwards;      ///< unit vector
