@@ -17,7 +17,7 @@
 namespace tramline {
 namespace {
 
-/// The least that the cost of a plan is told to, EUR.
+/// A plan takes the place of another, whose bound it does not have, where it costs less by this, EUR.
 constexpr double kWorthIt = 0.01;
 
 /// A plan behind given passes, or with their corners worked out and with shorter ends of tracks where its

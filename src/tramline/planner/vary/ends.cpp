@@ -14,7 +14,7 @@ namespace {
 /// Ends are shortened in so many plans at the most.
 constexpr std::size_t kShortenedIn = 6;
 
-/// A plan, and what it costs at least with shorter ends, EUR.
+/// A plan, and what it is expected to cost at least with shorter ends, EUR.
 struct ShorterHope {
   double at_least = 0;
   std::size_t plan = 0;

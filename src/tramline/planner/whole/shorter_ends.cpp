@@ -77,10 +77,19 @@ class TracksOfPieces {
     const auto found = std::ranges::find_if(family.tracks, [&](const Track& track) {
       return track.index == laid.track && track.branch == laid.branch;
     });
-    return found == family.tracks.end() ? nullptr : &*found;
+    if (found == family.tracks.end() || !begins_on(*found, laid)) return nullptr;
+    return &*found;
   }
 
  private:
+  /// Of tracks that were laid again.
+  static bool begins_on(const Track& track, const LaidPiece& laid) {
+    constexpr double kSamePlace_m = 1e-3;
+    if (laid.path.empty() || is_straight(track)) return laid.path.empty() == is_straight(track);
+    const Path along = path_along(track, laid.from, laid.to);
+    return !along.empty() && distance(along.front().from, laid.path.front().from) < kSamePlace_m;
+  }
+
   const HeadlandTrial& trial_;
   std::vector<std::optional<TrackFamily>> laid_again_;  ///< by subfield
 };
@@ -167,17 +176,18 @@ class EndSearch {
 
  private:
   /// In the part on its track with which a piece begins or ends, if it does not end on a detour.
-  bool may_cut(std::size_t piece, double by_m, const Path& part, Point end) const {
+  bool may_cut(std::size_t piece, double by_m, bool at_end) const {
     const Track* const track = tracks_.track(piece);
-    if (track == nullptr || track->closed || by_m >= length(part)) return false;
-    const bool at_end = part.front().from == end || part.back().to == end;
-    return at_end && stays_long_enough(piece, by_m);
+    if (track == nullptr || track->closed || !stays_long_enough(piece, by_m)) return false;
+    const std::vector<Path> parts = parts_on_track(plan_.pieces[piece]);
+    if (parts.empty()) return false;
+    const bool on_track = at_end ? parts.back().back().to == plan_.pieces[piece].end
+                                 : parts.front().front().from == plan_.pieces[piece].start;
+    return on_track && by_m < length(at_end ? parts.back() : parts.front());
   }
 
   bool may_cut(std::size_t before, const Cut& by) const {
-    const TrackPiece &ending = plan_.pieces[before], &beginning = plan_.pieces[before + 1];
-    return may_cut(before, by.end_m, parts_on_track(ending).back(), ending.end) &&
-           may_cut(before + 1, by.start_m, parts_on_track(beginning).front(), beginning.start);
+    return may_cut(before, by.end_m, true) && may_cut(before + 1, by.start_m, false);
   }
 
   Hop hop_with(std::size_t before, const Cut& by) const {
@@ -259,6 +269,7 @@ double most_saved_by_shorter_ends(const HeadlandTrial& trial) {
 
 std::vector<ShorterEnds> ends_worth_shortening(const HeadlandTrial& trial) {
   assert(trial.draft.plan.route.planned());
+  if (trial.problem.settings.tracks != TrackConstruction::kParallel) return {};
   const EndSearch search(trial);
   std::vector<ShorterEnds> out;
   for (std::size_t i = 0; i < search.count(); ++i) {

@@ -19,14 +19,15 @@ struct ShorterEnds {
   double saved = 0;        ///< EUR, about, beyond what their land is worth
 };
 
-/// No shorter ends save more than this on the route, EUR: the ways between pieces, but for shortest ones from
-/// where the pieces may end. Precondition: the plan has its route. O(n).
+/// The most that shorter ends are expected to save on the route, EUR: the ways between pieces, but for
+/// shortest ones forward from where both pieces end side by side. Precondition: the plan has its route. O(n).
 double most_saved_by_shorter_ends(const HeadlandTrial& trial);
 
 /// Ends by which two pieces are shorter so that a turn before them has room where the way between them is
 /// longer. What is saved is at least a tenth of a euro beyond the worth of the land that is left, and at
 /// least as much again: where a headland is just as deep as a turn, an end that lies a hand's breadth behind
-/// its neighbour's asks for a full circle or a stop otherwise. Ends beside passable obstacles stay.
+/// its neighbour's asks for a full circle or a stop otherwise. Ends beside passable obstacles and on detours
+/// stay, and so do all of tracks as in Zhou.
 /// Precondition: the plan has its route. O(n) searches for turns, some dozens for each such way.
 std::vector<ShorterEnds> ends_worth_shortening(const HeadlandTrial& trial);
 
