@@ -7,6 +7,11 @@
 
 namespace tramline {
 
+const LaidPiece& laid_piece(const HeadlandTrial& trial, std::size_t piece) {
+  const LaidIndex index = trial.draft.driven.laid[piece];
+  return trial.found.best.avoided.tracks[index.subfield].pieces[index.piece];
+}
+
 PassesByBoundary as_set(const PlanningProblem& problem, PassesByBoundary passes) {
   const PlanSettings& settings = problem.settings;
   if (settings.headland_rule == HeadlandRule::kPasses)

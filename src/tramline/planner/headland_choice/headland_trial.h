@@ -23,6 +23,9 @@ struct HeadlandTrial {
   PlanDraft draft;
 };
 
+/// The laid piece of a piece of its draft. O(1).
+const LaidPiece& laid_piece(const HeadlandTrial& trial, std::size_t piece);
+
 /// The passes with what the settings decide instead of the turns.
 PassesByBoundary as_set(const PlanningProblem& problem, PassesByBoundary passes);
 

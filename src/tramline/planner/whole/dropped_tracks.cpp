@@ -18,11 +18,6 @@ constexpr double kLeastSaved = 0.5;
 
 bool is_worth_leaving(double saved, double lost) { return saved >= std::max(kLeastSaved, lost); }
 
-const LaidPiece& laid_piece(const HeadlandTrial& trial, std::size_t piece) {
-  const LaidIndex index = trial.draft.driven.laid[piece];
-  return trial.found.best.avoided.tracks[index.subfield].pieces[index.piece];
-}
-
 /// The legs over pieces of a route and between them.
 class PiecesOnRoute {
  public:

@@ -63,14 +63,9 @@ class TracksOfPieces {
         laid_again_[i] = tracks_on(SearchTask(trial.problem, trial.prepared), ground[i]);
   }
 
-  const LaidPiece& piece(std::size_t driven) const {
-    const LaidIndex index = trial_.draft.driven.laid[driven];
-    return trial_.found.best.avoided.tracks[index.subfield].pieces[index.piece];
-  }
-
   /// nullptr where it is not known.
   const Track* track(std::size_t driven) const {
-    const LaidPiece& laid = piece(driven);
+    const LaidPiece& laid = laid_piece(trial_, driven);
     const std::size_t subfield = trial_.draft.driven.laid[driven].subfield;
     const TrackFamily& family =
         laid_again_[subfield] ? *laid_again_[subfield] : trial_.found.best.families[subfield];
@@ -160,7 +155,7 @@ class EndSearch {
   std::size_t count() const { return ways_.count(); }
 
   bool stays_long_enough(std::size_t piece, double shorter_m) const {
-    return tracks_.piece(piece).length_m - shorter_m >= min_length_m(plan_.machine);
+    return laid_piece(trial_, piece).length_m - shorter_m >= min_length_m(plan_.machine);
   }
 
   /// The ends of most gain at which a turn has room.
@@ -198,7 +193,7 @@ class EndSearch {
   /// again there, EUR.
   double worth_of(std::size_t piece, double shorter_m, bool at_end) const {
     if (!(shorter_m > 0)) return 0;
-    const LaidPiece& laid = tracks_.piece(piece);
+    const LaidPiece& laid = laid_piece(trial_, piece);
     const double from = is_driven_to(trial_, piece, at_end) ? laid.to - shorter_m : laid.from;
     const double inside_m2 = inside_between(*tracks_.track(piece), from, from + shorter_m);
     const double again_m2 = plan_.machine.width_m * shorter_m - inside_m2;
@@ -224,9 +219,8 @@ class EndSearch {
     double without_room_m = 0;
     for (const double step_m : kShorter_m) {
       if (!may_cut(before, shorter(step_m))) return std::nullopt;
-      if (!is_worth_shortening(may_save - worth_of(before, shorter(step_m)),
-                               worth_of(before, shorter(step_m))))
-        return std::nullopt;
+      const double worth = worth_of(before, shorter(step_m));
+      if (!is_worth_shortening(may_save - worth, worth)) return std::nullopt;
       if (!turned_s(before, shorter(step_m))) {
         without_room_m = step_m;
         continue;
