@@ -56,7 +56,7 @@ Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std:
   const double greedy_s = std::max(0.0, connection_s(tours.back(), costs));
   Tour improved = shortened(tours.back(), costs, neighbours, 0);
   const double near_s = (1 - kNearBound) * connection_s(improved, costs);
-  const PricedBound priced = best_bound(AsBounds(costs), {greedy_s, 0, greedy_s - near_s});
+  const PricedBound priced = best_bound(AsBounds(costs), neighbours, {greedy_s, 0, greedy_s - near_s});
   if (priced.bound_s >= near_s) return improved;
   tours.push_back(greedy_tour(costs, neighbours, priced.prices_s));
   return shortened_best(tours, costs, neighbours, usual_kicks(costs.lines()));

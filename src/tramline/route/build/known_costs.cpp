@@ -40,11 +40,14 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
     : lines_(lines),
       connector_(connector),
       least_(least),
+      neighbours_(2 * lines.size()),
+      are_stale_(2 * lines.size(), true),
       backing_s_(2 * lines.size(), 0),
       more_s_(2 * lines.size()),
       lacking_(2 * lines.size(), 0),
       at_start_(2 * lines.size(), 0),
-      at_finish_(2 * lines.size(), 0) {
+      at_finish_(2 * lines.size(), 0),
+      between_(2 * lines.size() * order::NeighbourCounts{}.looked_at) {
   const DrivingGround& ground = connector.ground();
   const Turning& turning = ground.machine().turning;
   far_m_ = kFar_turns * 2 * (ground.machine().radius_m + ground.machine().width_m);
@@ -102,8 +105,22 @@ double KnownCosts::between(order::End a, order::End b) const {
   return between_.known_or(a, b, [&] { return both_ways(a, b); });
 }
 
-order::Neighbours KnownCosts::neighbours() const {
-  return order::cheapest_of(looked_at_, [this](std::size_t a, std::size_t b) { return between(a, b); });
+const order::Neighbours& KnownCosts::neighbours() {
+  const auto cost = [this](std::size_t a, std::size_t b) { return between(a, b); };
+  for (order::End end = 0; end < neighbours_.size(); ++end)
+    if (are_stale_[end]) neighbours_[end] = order::cheapest_of(end, looked_at_[end], cost);
+  are_stale_.assign(are_stale_.size(), false);
+  return neighbours_;
+}
+
+void KnownCosts::cost_has_changed(order::End left, order::End entered) {
+  between_.change(left, entered, both_ways(left, entered));
+  are_stale_[left] = are_stale_[entered] = true;
+}
+
+void KnownCosts::costs_have_changed() {
+  between_.clear();
+  are_stale_.assign(are_stale_.size(), true);
 }
 
 void KnownCosts::settle_start(order::End entered) {
@@ -136,9 +153,9 @@ const Way& KnownCosts::way(order::End left, order::End entered) {
   const Way& out = ways_.emplace(key(left, entered), std::move(way)).first->second;
   // What is learnt of an end may count for all of its ways.
   if (expects_more_ || ends_are_dead() != before)
-    between_.clear();
+    costs_have_changed();
   else
-    between_.change(left, entered, both_ways(left, entered));
+    cost_has_changed(left, entered);
   return out;
 }
 
@@ -147,12 +164,12 @@ void KnownCosts::refuse_supposed(order::End left, order::End entered) {
   assert(way.supposed);
   way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
                            lines_[order::line_of(entered)].entered_by(entered).first);
-  between_.change(left, entered, both_ways(left, entered));
+  cost_has_changed(left, entered);
 }
 
 void KnownCosts::expect_more() {
   expects_more_ = true;
-  between_.clear();
+  costs_have_changed();
 }
 
 bool KnownCosts::is_dead(order::End end) const { return !more_s_[end] && lacking_[end] >= kDead; }

@@ -49,8 +49,9 @@ class KnownCosts final : public order::EndCosts {
   /// one way, they are for others; where they are not, only lower bounds lead to the quickest order.
   void expect_more();
 
-  /// For each end the ends that are quickest reached from it, whatever room there is.
-  order::Neighbours neighbours() const;
+  /// For each end the ends that are quickest reached from it, whatever room there is. Those are looked for of
+  /// which a cost has changed since it was last asked.
+  const order::Neighbours& neighbours();
 
   /// What the way to a line costs that the route begins with, and that from the line that it ends with, by
   /// the end entered or left; 0 until set.
@@ -79,6 +80,9 @@ class KnownCosts final : public order::EndCosts {
   /// What a way that was looked for tells of other ways of its ends.
   void learn(order::End left, order::End entered, const Way& way);
   bool is_dead(order::End end) const;
+  /// Of one way, or of all.
+  void cost_has_changed(order::End left, order::End entered);
+  void costs_have_changed();
   std::uint64_t key(order::End left, order::End entered) const {
     return static_cast<std::uint64_t>(left) * 2 * lines_.size() + entered;
   }
@@ -90,6 +94,8 @@ class KnownCosts final : public order::EndCosts {
   std::vector<Pose> left_;
   std::vector<Pose> entered_;
   order::Neighbours looked_at_;
+  order::Neighbours neighbours_;   ///< of the ends that are not stale
+  std::vector<bool> are_stale_;    ///< by end: its neighbours
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
   bool expects_more_ = false;
   /// By end: the least that a way with room costs more than estimated.

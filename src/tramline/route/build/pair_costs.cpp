@@ -1,5 +1,7 @@
 #include "tramline/route/build/pair_costs.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace tramline {
@@ -14,7 +16,11 @@ void PairCosts::change(order::End a, order::End b, double cost_s) {
   if (entry.pair != kNone) entry.cost_s = cost_s;
 }
 
-void PairCosts::clear() { resize(kFirstBits); }
+PairCosts::PairCosts(std::size_t expected) {
+  resize(std::max(kFirstBits, static_cast<unsigned>(std::bit_width(2 * expected))));
+}
+
+void PairCosts::clear() { resize(64 - shift_); }
 
 void PairCosts::resize(unsigned bits) {
   entries_.assign(std::size_t{1} << bits, Entry{});

@@ -14,7 +14,8 @@ namespace tramline {
 /// addressing), because searches for an order ask for millions. O(1) on average.
 class PairCosts {
  public:
-  PairCosts() { clear(); }
+  /// `expected`: so many pairs are likely to be asked for, and have a place from the beginning.
+  explicit PairCosts(std::size_t expected = 0);
 
   /// The cost of the pair, `compute()` where it is not known.
   template <class Compute>
@@ -33,6 +34,7 @@ class PairCosts {
 
   /// Where the cost is known, it is this from now on.
   void change(order::End a, order::End b, double cost_s);
+  /// Keeps the places.
   void clear();
 
  private:

@@ -84,13 +84,8 @@ class Ascent {
   std::vector<double> way_;
 };
 
-}  // namespace
-
-std::size_t usual_steps(std::size_t lines) { return 80 + 25000 / std::max<std::size_t>(lines, 50); }
-
-PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
+PricedBound best_over(NearJoins near, const ConnectionBounds& bounds, const AscentEffort& effort) {
   assert(bounds.lines() + bounds.rings() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);
-  NearJoins near(bounds);
   Ascent ascent(near, bounds, effort);
   std::size_t steps = effort.steps > 0 ? effort.steps : usual_steps(bounds.lines());
   std::vector<double> prices_s(bounds.nodes(), 0);
@@ -110,6 +105,19 @@ PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effor
     step = kFirstStep / 4;
   }
   return best;
+}
+
+}  // namespace
+
+std::size_t usual_steps(std::size_t lines) { return 80 + 25000 / std::max<std::size_t>(lines, 50); }
+
+PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
+  return best_over(NearJoins(bounds), bounds, effort);
+}
+
+PricedBound best_bound(const ConnectionBounds& bounds, const Neighbours& near, const AscentEffort& effort) {
+  assert(bounds.rings() == 0);
+  return best_over(NearJoins(bounds, near), bounds, effort);
 }
 
 }  // namespace tramline::order

@@ -1,30 +1,38 @@
 #include "tramline/route/certificate/near_joins.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <limits>
-
-#include "tramline/route/search/neighbours.h"
 
 namespace tramline::order {
 namespace {
 
 constexpr NeighbourCounts kNearNodes{24, 8};
 
+/// A ring is near most ends: only those that are nearest to it count, or all others would lose neighbours.
+bool are_apart(const ConnectionBounds& bounds, std::size_t a, std::size_t b) {
+  return !bounds.may_join(a, b) || (bounds.is_ring(b) && !bounds.is_ring(a));
+}
+
+Neighbours near_nodes(const ConnectionBounds& bounds) {
+  const double never = std::numeric_limits<double>::max();
+  return neighbours_of(
+      bounds.nodes(),
+      [&](std::size_t a, std::size_t b) { return are_apart(bounds, a, b) ? never : bounds.least(a, b); },
+      [&](std::size_t a, std::size_t b) { return are_apart(bounds, a, b) ? never : bounds.between(a, b); },
+      kNearNodes);
+}
+
 }  // namespace
 
-NearJoins::NearJoins(const ConnectionBounds& bounds) : bounds_(bounds) {
-  // A ring is near most ends: only those that are nearest to it count, or all others would lose neighbours.
-  const auto apart = [&](std::size_t a, std::size_t b) {
-    return !bounds.may_join(a, b) || (bounds.is_ring(b) && !bounds.is_ring(a));
-  };
-  const double never = std::numeric_limits<double>::max();
-  const Neighbours near = neighbours_of(
-      bounds.nodes(), [&](std::size_t a, std::size_t b) { return apart(a, b) ? never : bounds.least(a, b); },
-      [&](std::size_t a, std::size_t b) { return apart(a, b) ? never : bounds.between(a, b); }, kNearNodes);
+NearJoins::NearJoins(const ConnectionBounds& bounds) : NearJoins(bounds, near_nodes(bounds)) {}
+
+NearJoins::NearJoins(const ConnectionBounds& bounds, const Neighbours& near) : bounds_(bounds) {
+  assert(near.size() <= bounds.nodes());
   for (std::size_t a = 0; a < near.size(); ++a)
     for (const std::size_t b : near[a]) {
-      if (apart(a, b)) continue;
+      if (are_apart(bounds, a, b)) continue;
       const bool both = std::find(near[b].begin(), near[b].end(), a) != near[b].end();
       if (a < b || !both) joins_.push_back({a, b, bounds.between(a, b)});
     }

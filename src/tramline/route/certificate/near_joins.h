@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/route/certificate/node_join.h"
+#include "tramline/route/search/neighbours.h"
 
 namespace tramline::order {
 
@@ -14,6 +15,8 @@ class NearJoins {
  public:
   /// Of each node the cheapest joins among those with the nodes nearest by least(). O(nodes²) calls of that.
   explicit NearJoins(const ConnectionBounds& bounds);
+  /// Of each node the joins with those that are known to be near. Precondition: there are no rings.
+  NearJoins(const ConnectionBounds& bounds, const Neighbours& near);
 
   const std::vector<NodeJoin>& joins() const { return joins_; }
   void add(const std::vector<NodeJoin>& joins);

@@ -8,7 +8,7 @@ namespace tramline::order {
 namespace {
 
 /// Kept costs for each end: those to the ends near it and to what they are connected with.
-constexpr std::size_t kKeptOfEach = 128;
+constexpr std::size_t kKeptOfEach = 32;
 
 }  // namespace
 

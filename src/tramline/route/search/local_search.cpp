@@ -19,12 +19,18 @@ constexpr std::size_t kThirdEnds = 4;
 LocalSearch::LocalSearch(ClosedTour& tour, const Neighbours& neighbours)
     : tour_(tour), near_(neighbours.size()), waits_(tour.lines(), false) {
   for (End end = 0; end < near_.size(); ++end) {
-    for (const End near : neighbours[end]) near_[end].push_back({near, tour_.between(end, near)});
+    near_[end].reserve(neighbours[end].size() + 2);
+    for (const End near : neighbours[end]) add_near(end, near);
     for (const End outside : {tour_.start(), tour_.finish()})
-      if (line_of(end) != line_of(outside)) near_[end].push_back({outside, tour_.between(end, outside)});
-    std::stable_sort(near_[end].begin(), near_[end].end(),
-                     [](const NearEnd& x, const NearEnd& y) { return x.cost_s < y.cost_s; });
+      if (line_of(end) != line_of(outside)) add_near(end, outside);
   }
+}
+
+/// Behind those that cost no more.
+void LocalSearch::add_near(End end, End near) {
+  const NearEnd added{near, tour_.between(end, near)};
+  const auto place = std::ranges::upper_bound(near_[end], added.cost_s, {}, &NearEnd::cost_s);
+  near_[end].insert(place, added);
 }
 
 void LocalSearch::wait(End end) {

@@ -32,6 +32,7 @@ class LocalSearch {
     End a = 0, b = 0;
     std::optional<End> c{};
   };
+  void add_near(End end, End near);
   double improve_at(End end);
   void look_from(End a, double ahead_s);
   void look_past(End a, End b, double ahead_s);

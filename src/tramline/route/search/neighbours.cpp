@@ -36,20 +36,20 @@ Neighbours neighbours_of(std::size_t nodes, const PairCost& estimate, const Pair
     }
     for (const RatedNode& rated : nearest) looked_at[node].push_back(rated.node);
   }
-  return cheapest_of(std::move(looked_at), cost, counts.kept);
+  for (std::size_t node = 0; node < nodes; ++node)
+    looked_at[node] = cheapest_of(node, looked_at[node], cost, counts.kept);
+  return looked_at;
 }
 
-Neighbours cheapest_of(Neighbours looked_at, const PairCost& cost, std::size_t kept) {
+std::vector<std::size_t> cheapest_of(std::size_t node, const std::vector<std::size_t>& looked_at,
+                                     const PairCost& cost, std::size_t kept) {
   std::vector<RatedNode> rated;
-  for (std::size_t node = 0; node < looked_at.size(); ++node) {
-    rated.clear();
-    for (const std::size_t other : looked_at[node]) rated.push_back({cost(node, other), other});
-    std::sort(rated.begin(), rated.end());
-    rated.resize(std::min(rated.size(), kept));
-    looked_at[node].clear();
-    for (const RatedNode& one : rated) looked_at[node].push_back(one.node);
-  }
-  return looked_at;
+  for (const std::size_t other : looked_at) rated.push_back({cost(node, other), other});
+  std::sort(rated.begin(), rated.end());
+  rated.resize(std::min(rated.size(), kept));
+  std::vector<std::size_t> out;
+  for (const RatedNode& one : rated) out.push_back(one.node);
+  return out;
 }
 
 }  // namespace tramline::order

@@ -24,7 +24,8 @@ struct NeighbourCounts {
 Neighbours neighbours_of(std::size_t nodes, const PairCost& estimate, const PairCost& cost,
                          const NeighbourCounts& counts = {});
 
-/// The same where those looked at are known: the cheapest of them, `kept` at the most.
-Neighbours cheapest_of(Neighbours looked_at, const PairCost& cost, std::size_t kept = NeighbourCounts{}.kept);
+/// The same for one node where those looked at are known: the cheapest of them, `kept` at the most.
+std::vector<std::size_t> cheapest_of(std::size_t node, const std::vector<std::size_t>& looked_at,
+                                     const PairCost& cost, std::size_t kept = NeighbourCounts{}.kept);
 
 }  // namespace tramline::order

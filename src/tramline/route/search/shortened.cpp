@@ -27,10 +27,12 @@ Neighbours with_outside(Neighbours neighbours, const EndCosts& costs) {
   std::size_t kept = 0;
   for (const std::vector<End>& near : neighbours) kept = std::max(kept, near.size());
   const auto nearest = [&](auto cost) {
-    std::vector<End> out(ends);
-    for (End end = 0; end < ends; ++end) out[end] = end;
-    std::stable_sort(out.begin(), out.end(), [&](End a, End b) { return cost(a) < cost(b); });
-    out.resize(std::min(kept, ends));
+    std::vector<std::pair<double, End>> rated;
+    for (End end = 0; end < ends; ++end) rated.emplace_back(cost(end), end);
+    const auto last = rated.begin() + static_cast<std::ptrdiff_t>(std::min(kept, ends));
+    std::partial_sort(rated.begin(), last, rated.end());
+    std::vector<End> out;
+    for (auto one = rated.begin(); one != last; ++one) out.push_back(one->second);
     return out;
   };
   std::vector<End> finish = nearest([&](End end) { return costs.at_finish(end); });
