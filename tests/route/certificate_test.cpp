@@ -215,6 +215,24 @@ TEST(BestBound, EndsNearEnough) {
   EXPECT_NEAR(early.bound_s, bound_of(early.prices_s, costs), kBoundRounding_s);
 }
 
+// Which nodes are near decides how soon the prices are found, not what they prove: the joins that lack are
+// added. Every third neighbour is left out.
+TEST(BestBound, IsProvenFromAnyNearNodes) {
+  testing::for_each_seed(20, [](std::mt19937_64& random, int) {
+    const TableCosts costs = testing::dubins_costs(testing::random_field_lines(40, 6, random), 6);
+    Neighbours near = costs.neighbours();
+    const double found_s =
+        connection_s(shortened(greedy_tour(costs, near), costs, near, usual_kicks(40)), costs);
+    for (std::vector<End>& ends : near)
+      for (std::size_t i = ends.size(); i-- > 0;)
+        if (i % 3 == 0) ends.erase(ends.begin() + static_cast<std::ptrdiff_t>(i));
+    const PricedBound bound = best_bound(costs, near, {found_s, 0});
+    EXPECT_LE(bound.bound_s, found_s + kBoundRounding_s);
+    EXPECT_NEAR(bound.bound_s, bound_of(bound.prices_s, costs), kBoundRounding_s);
+    EXPECT_NEAR(bound.bound_s, best_bound(costs, {found_s, 0}).bound_s, 0.02 * found_s);
+  });
+}
+
 TEST(BestBound, IsTheSameEveryTime) {
   testing::for_each_seed(3, [](std::mt19937_64& random, int) {
     const TableCosts costs = testing::dubins_costs(testing::random_field_lines(100, 6, random), 6);

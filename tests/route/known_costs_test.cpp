@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "properties/seeds.h"
 #include "route/tracks_to_join.h"
@@ -37,6 +39,38 @@ TEST(KnownCosts, ExpectMoreWhereAWayCostMore) {
   });
   EXPECT_GT(dearer, 10);
   std::cout << dearer << " ways dearer than foreseen, " << without_room << " without room\n";
+}
+
+/// The neighbours of an end are the cheapest of those looked at by what is known then: of ends whose ways
+/// were looked for meanwhile, too.
+TEST(KnownCosts, KeepNeighboursOfEndsWhoseCostsHaveNotChanged) {
+  int changed = 0;
+  for_each_seed(60, [&](std::mt19937_64& random, int i) {
+    const TracksToJoin scene(random, i % 2 == 0);
+    KnownCosts costs(scene.lines, scene.connector, scene.least);
+    const std::size_t ends = 2 * scene.lines.size();
+    if (i % 3 == 0) costs.expect_more();
+    for (int round = 0; round < 4; ++round) {
+      const order::Neighbours before = costs.neighbours();
+      for (int ways = 0; ways < 3; ++ways) {
+        const order::End a = random() % ends, b = random() % ends;
+        if (order::line_of(a) != order::line_of(b)) costs.way(a, b);
+      }
+      const order::Neighbours& after = costs.neighbours();
+      if (after != before) ++changed;
+      for (order::End end = 0; end < ends; ++end) {
+        std::vector<std::pair<double, order::End>> all;
+        for (order::End other = 0; other < ends; ++other)
+          if (order::line_of(other) != order::line_of(end))
+            all.emplace_back(costs.between(end, other), other);
+        std::ranges::sort(all);
+        ASSERT_EQ(after[end].size(), std::min(all.size(), order::NeighbourCounts{}.kept));
+        for (std::size_t rank = 0; rank < after[end].size(); ++rank)
+          ASSERT_EQ(after[end][rank], all[rank].second);
+      }
+    }
+  });
+  EXPECT_GT(changed, 10);
 }
 
 /// Three ways without room and none with it: no way of that end is expected to have room, until one has.
