@@ -88,6 +88,27 @@ TEST(LandSides, AskForALoopOfTracksThatRoundingBends) {
   }
 }
 
+// A strip of 16 m, on which it cannot turn round: 10 m aside takes it √(10 · (4 · 6 − 10)) = 11.8 m on. A
+// track that begins 6 m farther on than the other ends, driven the same way, is reached once it has
+// backed 5.8 m (found by sectors of 5°, to a metre).
+TEST(LandSides, AskForAStopAndTheWayBackWhereNoWayLeadsForward) {
+  Plan plan = plan_with_a_stop();
+  plan.field.outer = {{0, 0}, {16, 0}, {16, 200}, {0, 200}};
+  plan.machine.turning.turning_speed_mps = plan.machine.turning.reverse_speed_mps = 3;
+  const double aside_s = 2 * 6 * std::acos(1 - 10.0 / 12) / 3, backed_s = (std::sqrt(140) - 6) / 3;
+  const double gears_s = 2 * plan.machine.turning.gear_change_s;
+  const WorkedCourse left({{{3, 40}, {3, 100}, 0}}, PathEnds::kApart, plan.machine),
+      entered({{{13, 106}, {13, 166}, 0}}, PathEnds::kApart, plan.machine);
+  const auto least_s = [&] {
+    const LandSides sides = LandSides::of(plan).value();
+    return sides.least_s(sides.leaving(left), sides.entering(entered), 0, kNever_s);
+  };
+  EXPECT_LE(least_s(), kStop_s + gears_s + backed_s + aside_s);
+  EXPECT_GE(least_s(), kStop_s + gears_s + backed_s + aside_s - 1);
+  plan.route.legs.front().kind = LegKind::kTransit;
+  EXPECT_LT(least_s(), kStop_s);
+}
+
 // Nothing is known where a route never stops.
 TEST(LandSides, AskForNoStopOfRoutesWithoutAny) {
   Plan plan = plan_with_a_stop();

@@ -32,7 +32,7 @@ std::vector<HeadingReach::Side> sides_of(const Ring& convex) {
 SteeredPath standing_at(const Pose& pose) { return {arc_from(pose, 0, 0, Gear::kForward)}; }
 
 bool may_point(const PlacesByHeading& places, const Pose& pose) {
-  return may_meet(places, standing_at(pose));
+  return first_met_m(places, standing_at(pose)).has_value();
 }
 
 // A bar of 12 m turns by 6 m. It begins 6 m off the western edge of a strip, towards the north, and turns
@@ -69,6 +69,25 @@ TEST(HeadingReach, InReverseIsWhatLeadsThere) {
   EXPECT_FALSE(may_meet(before, land.from({{6, 160}, heading_deg(0)}, 1)));
 }
 
+// On a strip too narrow to turn round on the machine that begins 60 m along it is on no place before: 20 m on
+// from 40 m, to the 12 cm by which places are held to be uncertain, and at once on what lies before it.
+TEST(HeadingReach, TellsWhereALineIsMetFirst) {
+  Machine machine;
+  machine.width_m = 12;
+  machine.radius_m = 6;
+  const HeadingReach land(sides_of({{0, 0}, {21, 0}, {21, 200}, {0, 200}}),
+                          testing::DriveScene{machine, {}, {{0, 0}, heading_deg(0)}}.corners(), 6);
+  const PlacesByHeading places = land.from({{6, 60}, heading_deg(0)}, 1);
+  const auto north_from = [&](double y) {
+    return first_met_m(places, {arc_from({{6, y}, heading_deg(0)}, 60, 0, Gear::kForward)});
+  };
+  ASSERT_TRUE(north_from(40));
+  EXPECT_NEAR(*north_from(40), 20, 0.13);
+  EXPECT_EQ(north_from(61), 0.0);
+  const SteeredPath south{arc_from({{6, 120}, heading_deg(180)}, 60, 0, Gear::kForward)};
+  EXPECT_FALSE(first_met_m(places, south));
+}
+
 TEST(HeadingReach, HoldsAllThatIsDrivenAtRandom) {
   int driven = 0, followed = 0;
   for_each_seed(200, [&](std::mt19937_64& random, int) {
@@ -82,6 +101,10 @@ TEST(HeadingReach, HoldsAllThatIsDrivenAtRandom) {
       for (const SteeredStretch& stretch : path) {
         ++driven;
         EXPECT_TRUE(may_point(places, end_of(stretch)));
+        constexpr double kBefore_m = 7;
+        const Pose before = moved_on(end_of(stretch), -kBefore_m);
+        EXPECT_LE(first_met_m(places, {arc_from(before, 2 * kBefore_m, 0, Gear::kForward)}).value_or(99),
+                  kBefore_m);
       }
       if (i > 0 || path.empty()) continue;
       // Where it stops to back it has room.

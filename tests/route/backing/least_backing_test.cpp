@@ -206,6 +206,24 @@ TEST(LeastBacking, GetsAsideOnlyByGoingOn) {
   EXPECT_GE(begun_s(2), 2 * kStop_s);
 }
 
+// On a strip of 16 m a track ends 6 m before where one 10 m beside it begins, driven the same way: arcs of 6
+// m take it there √(10 · (4 · 6 − 10)) = 11.8 m on. No side is near, but no way leads forward either, for it
+// cannot turn round: it backs 5.8 m, stops, and goes on, be it out of the one or into the other. Places are
+// followed by sectors of 5°, and so to a metre.
+TEST(LeastBacking, BacksUntilAWayLeadsForward) {
+  Machine machine = six_metres();
+  machine.turning.reverse_speed_mps = machine.turning.turning_speed_mps = 3;
+  constexpr double kStop_s = 100;
+  const SteeredPath left = north_to({3, 100}, 60), entered = north_to({13, 166}, 60);
+  const double aside_s = 2 * 6 * std::acos(1 - 10.0 / 12) / 3, backed_s = (std::sqrt(140) - 6) / 3;
+  const auto found_s = [&](LeastBacking::Places places) {
+    return between(LeastBacking(rectangle_of(16, 200), 0, machine, kStop_s, places), left, entered, machine);
+  };
+  EXPECT_LE(found_s(LeastBacking::Places::kFollowed), kStop_s + 2 * 2 + backed_s + aside_s);
+  EXPECT_GE(found_s(LeastBacking::Places::kFollowed), kStop_s + 2 * 2 + backed_s + aside_s - 1);
+  EXPECT_LT(found_s(LeastBacking::Places::kNotFollowed), kStop_s);
+}
+
 /// On from its end in the same gear, by an arc that the machine can turn, or not.
 SteeredPath driven_on(SteeredPath path, const Machine& machine, std::mt19937_64& random) {
   if (any_of(random, 0, 1) == 0) return path;

@@ -147,7 +147,7 @@ double BackedWays::least_of(Backed all, double known_s) const {
 double BackedWays::least_s(const AskedBacking& asked, double known_s) const {
   for (const bool out : {false, true})
     for (const bool in : {false, true}) {
-      if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
+      if ((asked.out_m && !out) || (asked.in_m && !in) || (asked.stops && !out && !in)) continue;
       Backed all;
       all.out = out;
       all.in = in;

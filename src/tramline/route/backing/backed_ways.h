@@ -20,11 +20,12 @@ struct BackingTerms {
 };
 
 /// Distances to be backed at least, m: out, in, and both together; and out or in where it backs only there.
-/// None out or in: it need not back there.
+/// None out or in: it need not back there. `stops`: but it backs somewhere, if by nothing.
 struct AskedBacking {
   std::optional<double> out_m{}, in_m{};
   double in_all_m = 0;
   double only_out_m = 0, only_in_m = 0;
+  bool stops = false;
 };
 
 /// Ways from leaving one line to entering another that back no farther than these are followed. Those that

@@ -211,8 +211,9 @@ LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double
   const Pose& pose = line.front().start;
   LineExits out{exit_of(first_run(line, terms_.radius_m), pose, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
-  if (out.whole.bent > 0 && bend != line.begin()) {
-    GentleRun until_it_bends = first_run({line.begin(), bend}, terms_.radius_m);
+  if (out.whole.bent > 0) {
+    GentleRun until_it_bends;
+    if (bend != line.begin()) until_it_bends = first_run({line.begin(), bend}, terms_.radius_m);
     until_it_bends.to_end = false;
     out.straight = exit_of(std::move(until_it_bends), pose, backing, straight_on_m);
   }
@@ -257,11 +258,12 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
   return std::max(0.0, dot(left.pose.at - entered.pose.at, along ? strip_.along : -1 * strip_.along));
 }
 
-/// A way without a stop is one that backs along either line by nothing.
+/// The machine gets to the beginning of the one line from where it has backed to on the other, or from the
+/// end of that to where it begins to back into the one.
 LeastBacking::OneStop LeastBacking::one_stop(const LineExits& left, const LineExits& entered) {
   if (!left.reached || !entered.reached) return {};
   const ExitReach &from = *left.reached, &to = *entered.reached;
-  return {may_meet(*to.off, from.line), may_meet(*from.off, to.line), may_meet(*from.beyond, *to.off),
+  return {first_met_m(*to.off, from.line), first_met_m(*from.off, to.line), may_meet(*from.beyond, *to.off),
           may_meet(*from.off, *to.beyond)};
 }
 
@@ -273,16 +275,20 @@ double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, c
   const Needed at_left = needed_of(left, entered, terms_.radius_m),
                at_entered = needed_of(entered, left, terms_.radius_m);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
-  const std::optional<double> out_anyhow = may.in ? std::nullopt : std::optional(0.0),
-                              in_anyhow = may.out ? std::nullopt : std::optional(0.0);
-  const double turning_s = ways.least_s(
-      {std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m}, kNever_s);
+  const std::optional<double> out_anyhow = may.in_m ? std::nullopt : std::optional(0.0),
+                              in_anyhow = may.out_m ? std::nullopt : std::optional(0.0);
+  const double only_out_m = may.out_m.value_or(0), only_in_m = may.in_m.value_or(0);
+  const bool stops = !may.none_may_do();
+  const double turning_s =
+      ways.least_s({std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m,
+                    only_out_m, only_in_m, stops},
+                   kNever_s);
   const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
   const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
   if (or_in_all_m == kNowhere_m) return turning_s;
   return ways.least_s({out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
-                       std::min(of_left.here_only_m, of_entered.there_only_m),
-                       std::min(of_left.there_only_m, of_entered.here_only_m)},
+                       std::max(only_out_m, std::min(of_left.here_only_m, of_entered.there_only_m)),
+                       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), stops},
                       turning_s);
 }
 
@@ -338,9 +344,10 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
            reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps -
            other.behind_m / terms_.turning.turning_speed_mps;
   };
-  return std::min(
-      seconds(left, entered, backed(left, left.length_m), entered.pose, may.out, may.out_and_on),
-      seconds(entered, left, left.pose, backed(entered, entered.length_m), may.in, may.in_and_on));
+  return std::min(seconds(left, entered, backed(left, left.length_m), entered.pose, may.out_m.has_value(),
+                          may.out_and_on),
+                  seconds(entered, left, left.pose, backed(entered, entered.length_m), may.in_m.has_value(),
+                          may.in_and_on));
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
@@ -351,7 +358,9 @@ double LeastBacking::between(const LineExits& left, const LineExits& entered, do
 
 double LeastBacking::to_ring(const LineExits& exits, std::span<const SteeredPath> ring, double apart_m,
                              double known_s) const {
-  const auto driven_to = [&](const SteeredPath& line) { return may_meet(*exits.reached->off, line); };
+  const auto driven_to = [&](const SteeredPath& line) {
+    return first_met_m(*exits.reached->off, line).has_value();
+  };
   if (!exits.reached || std::ranges::any_of(ring, driven_to)) return known_s;
   const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
   return std::max(known_s, terms_.stop_s + apart_m / fastest_mps);

@@ -30,8 +30,9 @@ namespace tramline {
 /// no room to come parallel: so it does not get far along that side before it stops, nor forward to where
 /// another line begins too near to a side that it heads for. Then it has to stop to back once more.
 /// Of few lines it is followed to all places and headings that it gets to without a stop (HeadingReach),
-/// which tells at which of the two lines a way has to back, and whether one to a closed pass does. Each stop
-/// to back counts `stop_s` besides its time. Not for several threads.
+/// which tells whether a way has to back at all, along which of the two lines and how far at least, and
+/// whether one to a closed pass has to. Each stop to back counts `stop_s` besides its time. Not for several
+/// threads.
 class LeastBacking {
  public:
   /// Whether the places that the machine gets to are followed: milliseconds for each end of a line.
@@ -78,12 +79,14 @@ class LeastBacking {
   };
   Aslant aslant(const Side& side, const Pose& pose, double sense) const;
   bool one_stop_may_do(const LineExit& exit, const LineExit& other) const;
-  /// Whether a way may do with one stop at the most: to back along the line that it leaves or the one that it
-  /// enters, or all along that and on.
+  /// Whether a way may do with one stop: to back along the line that it leaves or the one that it enters, by
+  /// so much at least, m (nullopt: by nothing that does), or all along that and on. It may do without where
+  /// it need not back along either.
   struct OneStop {
-    bool out = true, in = true;
+    std::optional<double> out_m = 0, in_m = 0;
     bool out_and_on = true, in_and_on = true;
-    bool all() const { return out && in && out_and_on && in_and_on; }
+    bool none_may_do() const { return out_m == 0.0 && in_m == 0.0; }
+    bool all() const { return none_may_do() && out_and_on && in_and_on; }
   };
   static OneStop one_stop(const LineExits& left, const LineExits& entered);
   double least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered, Along along,

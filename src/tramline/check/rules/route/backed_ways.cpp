@@ -95,7 +95,7 @@ struct Search {
   void push_all(const BackedAsAsked& asked) {
     for (const bool out : {false, true})
       for (const bool in : {false, true}) {
-        if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
+        if ((asked.out_m && !out) || (asked.in_m && !in) || (asked.stops && !out && !in)) continue;
         Range all;
         all.out = out;
         all.in = in;

@@ -16,9 +16,7 @@ namespace {
 
 /// Room is looked at to less than this, m.
 constexpr double kRoomFoundTo_m = 0.05;
-constexpr double kTurnsAtMost = 0.5;
 constexpr double kSideways = 1e-6;
-constexpr double kKink = 1e-6, kSharperShare = 1e-6;
 constexpr double kEnough_m = 1e-6;
 
 /// The corners of the convex hull, anticlockwise, by going round it (Jarvis 1973).
@@ -39,52 +37,13 @@ Ring corners_of_hull(const Ring& ring) {
   return out;
 }
 
-/// A line or arc of the axle's line.
-struct Piece {
-  double length_m = 0;
-  double curvature = 0;
-};
-
-/// While the implement works the path, in the order in which they are backed along.
-std::vector<Piece> pieces_from(const WorkedCourse& course, double sense) {
-  const double begin_m = course.ahead_m(), end_m = course.ahead_m() + course.length_m();
-  std::vector<Piece> out;
-  const auto add = [&](double from_m, double to_m, double curvature) {
-    const double length_m = std::min(to_m, end_m) - std::max(from_m, begin_m);
-    if (length_m > 0) out.push_back({length_m, curvature});
-  };
-  constexpr double kBeyond_m = std::numeric_limits<double>::infinity();
-  add(-kBeyond_m, 0, 0);
-  double at_m = 0;
-  for (const PathSegment& segment : course.line().path()) {
-    add(at_m, at_m + length(segment), segment.straight() ? 0 : segment.curvature);
-    at_m += length(segment);
-  }
-  add(at_m, kBeyond_m, 0);
-  if (sense < 0) std::ranges::reverse(out);
-  return out;
-}
-
-/// Those that begin so far along the line or farther.
-std::vector<Piece> pieces_behind(const WorkedCourse& course, double sense, double from_m) {
-  std::vector<Piece> out = pieces_from(course, sense);
-  double at_m = 0;
-  std::erase_if(out, [&](const Piece& piece) {
-    const double begins_m = std::exchange(at_m, at_m + piece.length_m);
-    return begins_m < from_m - kEnough_m;
-  });
-  return out;
-}
-
-double turned(Point ahead, Point from) { return dot(ahead, from) > 0 ? std::abs(cross(ahead, from)) : 1; }
-
 /// Along pieces of a line, in order, whose poses are told by how far they lie along it.
 template <class PoseAt>
-std::vector<LineStep> steps_along(const std::vector<Piece>& pieces, const PoseAt& pose_at) {
+std::vector<LineStep> steps_along(const std::vector<LinePiece>& pieces, const PoseAt& pose_at) {
   constexpr double kStep = std::numbers::pi / 72;  // turned by no more
   std::vector<LineStep> out;
   double at_m = 0;
-  for (const Piece& piece : pieces) {
+  for (const LinePiece& piece : pieces) {
     const int parts = 1 + static_cast<int>(std::abs(piece.curvature) * piece.length_m / kStep);
     for (int i = 0; i < parts; ++i)
       out.push_back(
@@ -161,7 +120,7 @@ double LandSides::missing_m(const HullSide& side, const Pose& at, Point off, Com
 
 double LandSides::far_enough_m(const HullSide& side, const WayEnd& end, Comes comes) const {
   double at_m = 0;
-  for (const Piece& piece : pieces_behind(*end.course, end.sense, end.behind_m)) {
+  for (const LinePiece& piece : pieces_behind(*end.course, end.sense, end.behind_m)) {
     const double to_m = std::min(at_m + piece.length_m, end.follows_m);
     while (at_m < to_m) {
       const Pose pose = end.backed(at_m);
@@ -185,27 +144,8 @@ WayEnd LandSides::way_end(const WorkedCourse& course, double from_m, double sens
   out.sense = sense;
   out.behind_m = behind_m;
   out.at = out.backed(0);
-  const Point heading = out.at.heading.unit();
-  out.off = -sense * heading;
-  Point before = heading;
-  double at_m = 0;
-  const std::vector<Piece> pieces = pieces_behind(course, sense, behind_m);
-  for (const Piece& piece : pieces) {
-    // A position at a kink itself may be on either side of it; headings turn by nothing within so little.
-    constexpr double kJustInside_m = 1e-9;
-    const double inside_m = std::min(kJustInside_m, 0.5 * piece.length_m);
-    const Point first = out.backed(at_m + inside_m).heading.unit();
-    const Point last = out.backed(at_m + piece.length_m - inside_m).heading.unit();
-    if (turned(first, before) > kKink) break;
-    if (followed == Followed::kStraight && piece.curvature != 0) break;
-    if (std::abs(piece.curvature) * costs_.radius_m > 1 + kSharperShare) break;
-    if (std::max(turned(first, heading), turned(last, heading)) > kTurnsAtMost) break;
-    out.turns = std::max(out.turns, turned(last, heading));
-    before = last;
-    at_m += piece.length_m;
-    out.to_far_end = &piece == &pieces.back();
-  }
-  out.follows_m = at_m;
+  out.off = -sense * out.at.heading.unit();
+  follow_line(out, costs_.radius_m, followed);
   const Pose lifted = moved_on(out.at, -sense * straight_on_m);
   for (const HullSide& side : sides_) {
     if (missing_m(side, lifted, out.off, Comes::kEitherWay) > 0)
@@ -228,17 +168,14 @@ std::vector<WayEnd> LandSides::behind_bends(const WayEnd& all) const {
   std::vector<WayEnd> out;
   double longest_m = all.follows_m;
   for (WayEnd last = all; !last.to_far_end;) {
-    const std::vector<Piece> rest = pieces_behind(*last.course, last.sense, last.behind_m + last.follows_m);
-    if (rest.size() < 2 || std::abs(rest.front().curvature) * costs_.radius_m > 1 + kSharperShare) break;
-    const auto kinked_at = [&](double at_m) {
-      constexpr double kJust_m = 1e-9;
-      return turned(last.backed(at_m + kJust_m).heading.unit(), last.backed(at_m - kJust_m).heading.unit()) >
-             kKink;
-    };
+    const std::vector<LinePiece> rest =
+        pieces_behind(*last.course, last.sense, last.behind_m + last.unbroken_m);
+    if (rest.size() < 2 || !can_drive(rest.front(), costs_.radius_m)) break;
     const double bend_m = rest.front().length_m;
-    if ((last.follows_m > 0 && kinked_at(last.follows_m)) || kinked_at(last.follows_m + bend_m)) break;
+    if (last.unbroken_m > 0 && kinked_at(last, last.unbroken_m)) break;
+    if (kinked_at(last, last.unbroken_m + bend_m)) break;
     last = way_end(*all.course, all.from_m, all.sense, 0, Followed::kAll,
-                   last.behind_m + last.follows_m + bend_m);
+                   last.behind_m + last.unbroken_m + bend_m);
     if (last.follows_m <= longest_m) continue;
     longest_m = last.follows_m;
     out.push_back(last);
@@ -259,7 +196,7 @@ LineEnd LandSides::end_of_line(const WorkedCourse& course, double from_m, double
 
 std::vector<LineStep> LandSides::round(const WorkedCourse& pass) const {
   if (!land_) return {};
-  std::vector<Piece> pieces;
+  std::vector<LinePiece> pieces;
   for (const PathSegment& segment : pass.line().path())
     pieces.push_back({length(segment), segment.straight() ? 0 : segment.curvature});
   return steps_along(pieces, [&](double at_m) { return pose_of(pass.line().place(at_m)); });
@@ -267,7 +204,7 @@ std::vector<LineStep> LandSides::round(const WorkedCourse& pass) const {
 
 /// To back into the pass is to back along it, from another of its places.
 double LandSides::stops_s(const LineEnd& end, const std::vector<LineStep>& pass) const {
-  if (!land_ || may_be_on(pass, places_from(end.all.at, -end.all.sense))) return 0;
+  if (!land_ || first_on_m(pass, places_from(end.all.at, -end.all.sense))) return 0;
   return costs_.stop_s;
 }
 
@@ -351,15 +288,15 @@ const DrivenPlaces& LandSides::places_from(const Pose& at, double sense) const {
 LandSides::SingleStop LandSides::single_stop(const LineEnd& from, const LineEnd& to) const {
   if (!land_ || from.line.empty() || to.line.empty()) return {};
   const DrivenPlaces &leaves = places_from(from.all.at, 1), &enters = places_from(to.all.at, -1);
-  return {may_be_on(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
-          may_be_on(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
+  return {first_on_m(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
+          first_on_m(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
 }
 
 /// Ways that back farther than a line is followed: from there any way, with any changes of gear.
 double LandSides::farther_s(const WayEnd& from, const WayEnd& to, const SingleStop& may) const {
   const double fastest_mps = std::max(costs_.turning.turning_speed_mps, costs_.turning.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
-    const bool along = (&end == &from ? may.out : may.in) && !end.to_far_end;
+    const bool along = (&end == &from ? may.out_m : may.in_m) && !end.to_far_end;
     const bool on = (&end == &from ? may.out_and_on : may.in_and_on) && reached_by_one_stop(end, other);
     return (along || on ? 1 : 2) * costs_.stop_s +
            (end.behind_m + end.follows_m) / costs_.turning.reverse_speed_mps +
@@ -380,20 +317,23 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, const Sing
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
   // A way that cannot do with a stop at one line backs along the other.
-  const std::optional<double> out_m = may.in ? std::nullopt : std::optional(0.0),
-                              in_m = may.out ? std::nullopt : std::optional(0.0);
-  std::vector<BackedAsAsked> ways{{std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m}};
+  const std::optional<double> out_m = may.in_m ? std::nullopt : std::optional(0.0),
+                              in_m = may.out_m ? std::nullopt : std::optional(0.0);
+  const double out_alone_m = may.out_m.value_or(0), in_alone_m = may.in_m.value_or(0);
+  std::vector<BackedAsAsked> ways{{std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m,
+                                   out_alone_m, in_alone_m, !may.forward()}};
   const Instead &one = of_from.instead, &other = of_to.instead;
   const double together_m = std::min(one.together_m, other.together_m);
   if (together_m < kNever_s)
-    ways.push_back({out_m, in_m, std::max(back_m, together_m), std::min(one.here_m, other.there_m),
-                    std::min(one.there_m, other.here_m)});
+    ways.push_back({out_m, in_m, std::max(back_m, together_m),
+                    std::max(out_alone_m, std::min(one.here_m, other.there_m)),
+                    std::max(in_alone_m, std::min(one.there_m, other.here_m)), !may.forward()});
   return least_backed_s(costs_, from, to, ways, known_s);
 }
 
 double LandSides::way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
                         double enough_s) const {
-  const bool always = may.out && may.in && may.out_and_on && may.in_and_on;
+  const bool always = may.forward() && may.out_and_on && may.in_and_on;
   const bool bounded = !always || in_band(from, to) != InBand::kFree ||
                        asked(from, to, costs_.radius_m).back_m || asked(to, from, costs_.radius_m).back_m ||
                        !turned_round(from, to).empty();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/check/rules/route/backed_ways.h"
+#include "tramline/check/rules/route/followed_line.h"
 #include "tramline/check/rules/route/way_ends.h"
 #include "tramline/model/plan.h"
 
@@ -23,8 +24,9 @@ namespace tramline::check {
 /// no farther along the side than it gets aslant to it, backing and going forward, and not where it would
 /// have to turn away from a side too near to that beginning; else it stops once more. Where that is not
 /// enough, the places are followed that it gets to without a stop from either line (ConvexLand): where they
-/// are not common, it stops once more, too; and so it does on its way to a closed pass on which none of them
-/// lies. Each stop to back counts besides its time as the plan says.
+/// are not common, it stops once more, too, and backs along a line at least until they are; and so it stops
+/// on its way to a closed pass on which none of them lies. Each stop to back counts besides its time as the
+/// plan says.
 class LandSides {
  public:
   /// nullopt: where land beyond the boundary has no limits, where a machine reverses in turns or tows, and
@@ -52,7 +54,6 @@ class LandSides {
   };
   enum class InBand { kFree, kOnward, kNever };
   LineEnd end_of_line(const WorkedCourse& course, double from_m, double sense, double straight_on_m) const;
-  enum class Followed { kAll, kStraight };
   WayEnd way_end(const WorkedCourse& course, double from_m, double sense, double straight_on_m,
                  Followed followed, double behind_m = 0) const;
   std::vector<WayEnd> behind_bends(const WayEnd& all) const;
@@ -66,9 +67,15 @@ class LandSides {
   };
   MovesOn moves_on(const HullSide& side, const Pose& at, double works) const;
   bool reached_by_one_stop(const WayEnd& all_along, const WayEnd& other) const;
-  /// What a single stop may do: to back out of the one line or into the other, or all along it and on.
+  /// What a single stop may do: to back out of the one line or into the other, from so far along it on, m
+  /// (nullopt: nowhere), or all along it and on.
   struct SingleStop {
-    bool out = true, out_and_on = true, in = true, in_and_on = true;
+    std::optional<double> out_m = 0;
+    bool out_and_on = true;
+    std::optional<double> in_m = 0;
+    bool in_and_on = true;
+    /// From the end of the one line to the beginning of the other without any.
+    bool forward() const { return out_m && *out_m <= 0 && in_m && *in_m <= 0; }
   };
   const DrivenPlaces& places_from(const Pose& at, double sense) const;
   SingleStop single_stop(const LineEnd& from, const LineEnd& to) const;
