@@ -55,9 +55,8 @@ double BackedWays::loop_m(const Loop& loop, const Pose& from, const Pose& to) co
 /// At the farther end of the distances backed, by no less anywhere between than as much longer as it backs
 /// less: Dubins, or loops where it makes these all over the distances.
 double BackedWays::forward_m(const Backed& backed_by) const {
-  const bool bends = left_.behind_m > 0 || entered_.behind_m > 0;
-  const double lift_m = bends || backed_by.out ? 0 : terms_.turning.lift_m,
-               lower_m = bends || backed_by.in ? 0 : terms_.turning.lower_m;
+  const double lift_m = behind_bends() || backed_by.out ? 0 : terms_.turning.lift_m,
+               lower_m = behind_bends() || backed_by.in ? 0 : terms_.turning.lower_m;
   const Pose from = moved_on(backed(left_, backed_by.out_to), lift_m),
              to = moved_on(backed(entered_, backed_by.in_to), -lower_m);
   double out = dubins_length(from, to, terms_.radius_m);
@@ -70,7 +69,7 @@ double BackedWays::forward_m(const Backed& backed_by) const {
 /// Where it backs out and in and goes nowhere between it stops once.
 double BackedWays::seconds(const Backed& all, double back_m, double forward_m) const {
   const bool both = all.out && all.in && forward_m > 0;
-  const int stops = all.out || all.in ? (both ? 2 : 1) : 0;
+  const int stops = std::max(all.least_stops, all.out || all.in ? (both ? 2 : 1) : 0);
   return stops * terms_.stop_s + std::max(back_m, all.in_all) / terms_.turning.reverse_speed_mps +
          std::max(0.0, forward_m) / terms_.turning.turning_speed_mps + bend_s(left_, all.out) +
          bend_s(entered_, all.in);
@@ -147,11 +146,14 @@ double BackedWays::least_of(Backed all, double known_s) const {
 double BackedWays::least_s(const AskedBacking& asked, double known_s) const {
   for (const bool out : {false, true})
     for (const bool in : {false, true}) {
-      if ((asked.out_m && !out) || (asked.in_m && !in) || (asked.stops && !out && !in)) continue;
+      if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
+      // Behind a bend it may have backed along that alone.
+      if (asked.least_stops > 0 && !out && !in && !behind_bends()) continue;
       Backed all;
       all.out = out;
       all.in = in;
       all.in_all = asked.in_all_m;
+      all.least_stops = asked.least_stops;
       if (out != in) all.in_all = std::max(all.in_all, out ? asked.only_out_m : asked.only_in_m);
       if (out) all.out_from = asked.out_m.value_or(0), all.out_to = left_.length_m;
       if (in) all.in_from = asked.in_m.value_or(0), all.in_to = entered_.length_m;

@@ -20,12 +20,12 @@ struct BackingTerms {
 };
 
 /// Distances to be backed at least, m: out, in, and both together; and out or in where it backs only there.
-/// None out or in: it need not back there. `stops`: but it backs somewhere, if by nothing.
+/// None out or in: it need not back there.
 struct AskedBacking {
   std::optional<double> out_m{}, in_m{};
   double in_all_m = 0;
   double only_out_m = 0, only_in_m = 0;
-  bool stops = false;
+  int least_stops = 0;  ///< a way with fewer does not get there
 };
 
 /// Ways from leaving one line to entering another that back no farther than these are followed. Those that
@@ -52,9 +52,11 @@ class BackedWays {
     double out_from = 0, out_to = 0, in_from = 0, in_to = 0;
     double in_all = 0;  ///< both together at least
     bool out = false, in = false;
+    int least_stops = 0;
   };
   double loop_m(const Loop& loop, const Pose& from, const Pose& to) const;
   double forward_m(const Backed& backed_by) const;
+  bool behind_bends() const { return left_.behind_m > 0 || entered_.behind_m > 0; }
   double seconds(const Backed& all, double back_m, double forward_m) const;
   double bend_s(const LineExit& exit, bool backs) const;
   std::vector<Backed> parted(const Backed& all) const;

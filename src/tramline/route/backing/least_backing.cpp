@@ -263,8 +263,11 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
 LeastBacking::OneStop LeastBacking::one_stop(const LineExits& left, const LineExits& entered) {
   if (!left.reached || !entered.reached) return {};
   const ExitReach &from = *left.reached, &to = *entered.reached;
-  return {first_met_m(*to.off, from.line), first_met_m(*from.off, to.line), may_meet(*from.beyond, *to.off),
-          may_meet(*from.off, *to.beyond)};
+  OneStop out{first_met_m(*to.off, from.line), first_met_m(*from.off, to.line),
+              may_meet(*from.beyond, *to.off), may_meet(*from.off, *to.beyond)};
+  const bool forward = out.out_m == 0.0 && out.in_m == 0.0;
+  out.least_stops = forward ? 0 : out.out_m || out.in_m || out.out_and_on || out.in_and_on ? 1 : 2;
+  return out;
 }
 
 /// Ways that back no farther than the lines are followed. Where no stop at one end alone does, they back at
@@ -278,17 +281,16 @@ double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, c
   const std::optional<double> out_anyhow = may.in_m ? std::nullopt : std::optional(0.0),
                               in_anyhow = may.out_m ? std::nullopt : std::optional(0.0);
   const double only_out_m = may.out_m.value_or(0), only_in_m = may.in_m.value_or(0);
-  const bool stops = !may.none_may_do();
   const double turning_s =
       ways.least_s({std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m,
-                    only_out_m, only_in_m, stops},
+                    only_out_m, only_in_m, may.least_stops},
                    kNever_s);
   const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
   const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
   if (or_in_all_m == kNowhere_m) return turning_s;
   return ways.least_s({out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
                        std::max(only_out_m, std::min(of_left.here_only_m, of_entered.there_only_m)),
-                       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), stops},
+                       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), may.least_stops},
                       turning_s);
 }
 
@@ -339,7 +341,7 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
   const auto seconds = [&](const LineExit& exit, const LineExit& other, const Pose& from, const Pose& to,
                            bool may_along, bool may_on) {
     const bool one_may_do = may_on ? !exit.whole || one_stop_may_do(exit, other) : !exit.whole && may_along;
-    const int stops = one_may_do ? 1 : 2;
+    const int stops = std::max(may.least_stops, one_may_do ? 1 : 2);
     return stops * terms_.stop_s + (exit.behind_m + exit.length_m) / terms_.turning.reverse_speed_mps +
            reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps -
            other.behind_m / terms_.turning.turning_speed_mps;
@@ -351,8 +353,9 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
-  const double anyhow_s = least_behind_bends(left, entered, least_of_lines(left, entered, {}, known_s));
   const OneStop may = one_stop(left, entered);
+  const double anyhow_s =
+      least_behind_bends(left, entered, may.least_stops, least_of_lines(left, entered, {}, known_s));
   return may.all() ? anyhow_s : least_of_lines(left, entered, may, anyhow_s);
 }
 
@@ -375,11 +378,13 @@ double LeastBacking::least_of_lines(const LineExits& left, const LineExits& ente
 }
 
 /// Any way, with the bends driven before it and behind it as far as it does not back round them, leads from
-/// behind the one to behind the other.
-double LeastBacking::least_behind_bends(const LineExits& left, const LineExits& entered,
+/// behind the one to behind the other, and stops as often.
+double LeastBacking::least_behind_bends(const LineExits& left, const LineExits& entered, int least_stops,
                                         double known_s) const {
   if (!left.behind_bend && !entered.behind_bend) return known_s;
-  return least_between(left.behind_bend.value_or(left.whole), entered.behind_bend.value_or(entered.whole), {},
+  OneStop may;
+  may.least_stops = least_stops;
+  return least_between(left.behind_bend.value_or(left.whole), entered.behind_bend.value_or(entered.whole), may,
                        known_s);
 }
 

@@ -80,13 +80,13 @@ class LeastBacking {
   Aslant aslant(const Side& side, const Pose& pose, double sense) const;
   bool one_stop_may_do(const LineExit& exit, const LineExit& other) const;
   /// Whether a way may do with one stop: to back along the line that it leaves or the one that it enters, by
-  /// so much at least, m (nullopt: by nothing that does), or all along that and on. It may do without where
-  /// it need not back along either.
+  /// so much at least, m (nullopt: by nothing that does), or all along that and on.
   struct OneStop {
     std::optional<double> out_m = 0, in_m = 0;
     bool out_and_on = true, in_and_on = true;
-    bool none_may_do() const { return out_m == 0.0 && in_m == 0.0; }
-    bool all() const { return none_may_do() && out_and_on && in_and_on; }
+    /// None where it need not back along either, two where one never does.
+    int least_stops = 0;
+    bool all() const { return least_stops == 0 && out_and_on && in_and_on; }
   };
   static OneStop one_stop(const LineExits& left, const LineExits& entered);
   double least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered, Along along,
@@ -94,7 +94,8 @@ class LeastBacking {
   double least_beyond(const LineExit& left, const LineExit& entered, const OneStop& may) const;
   double least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
                         double known_s) const;
-  double least_behind_bends(const LineExits& left, const LineExits& entered, double known_s) const;
+  double least_behind_bends(const LineExits& left, const LineExits& entered, int least_stops,
+                            double known_s) const;
   double least_between(const LineExit& left, const LineExit& entered, const OneStop& may,
                        double known_s) const;
 

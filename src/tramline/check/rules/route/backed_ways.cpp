@@ -23,6 +23,7 @@ struct Range {
   Distances least, most;
   bool out = false, in = false;
   double together_m = 0;  ///< both at least
+  int stops = 0;          ///< at least
   double at_least_s = 0;
 };
 struct Later {
@@ -72,7 +73,8 @@ struct Search {
   }
 
   double seconds(const Range& range, const Distances& at, double ahead_m) const {
-    const int stops = range.out && range.in && ahead_m > 0 ? 2 : range.out || range.in ? 1 : 0;
+    const int turns_back = range.out && range.in && ahead_m > 0 ? 2 : range.out || range.in ? 1 : 0;
+    const int stops = std::max(range.stops, turns_back);
     const double bends_back_m = (range.out ? from.behind_m : 0) + (range.in ? to.behind_m : 0);
     const double bends_ahead_m = from.behind_m + to.behind_m - bends_back_m;
     return stops * costs.stop_s +
@@ -95,12 +97,15 @@ struct Search {
   void push_all(const BackedAsAsked& asked) {
     for (const bool out : {false, true})
       for (const bool in : {false, true}) {
-        if ((asked.out_m && !out) || (asked.in_m && !in) || (asked.stops && !out && !in)) continue;
+        if ((asked.out_m && !out) || (asked.in_m && !in)) continue;
+        // From behind a bend it may have backed round part of that alone.
+        if (asked.stops > 0 && !out && !in && from.behind_m + to.behind_m == 0) continue;
         Range all;
         all.out = out;
         all.in = in;
         const double alone_m = out && !in ? asked.out_alone_m : in && !out ? asked.in_alone_m : 0;
         all.together_m = std::max(asked.together_m, alone_m);
+        all.stops = asked.stops;
         if (out) all.least.out_m = asked.out_m.value_or(0), all.most.out_m = from.follows_m;
         if (in) all.least.in_m = asked.in_m.value_or(0), all.most.in_m = to.follows_m;
         if (all.least.out_m <= all.most.out_m && all.least.in_m <= all.most.in_m) push_split(all);

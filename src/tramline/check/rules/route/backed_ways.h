@@ -27,12 +27,12 @@ struct TurnedRound {
 std::vector<TurnedRound> turned_round(const WayEnd& from, const WayEnd& to);
 
 /// Ways that back so far out of the one line and into the other at least, and so far together, or so far
-/// where they back at one end alone, m; nullopt: as far as they like. `stops`: none that backs nowhere.
+/// where they back at one end alone, m; nullopt: as far as they like. `stops`: so many at least.
 struct BackedAsAsked {
   std::optional<double> out_m{}, in_m{};
   double together_m = 0;
   double out_alone_m = 0, in_alone_m = 0;
-  bool stops = false;
+  int stops = 0;
 };
 
 /// No way of any of these that backs no farther than the lines are followed takes less, s. Found to a

@@ -288,8 +288,11 @@ const DrivenPlaces& LandSides::places_from(const Pose& at, double sense) const {
 LandSides::SingleStop LandSides::single_stop(const LineEnd& from, const LineEnd& to) const {
   if (!land_ || from.line.empty() || to.line.empty()) return {};
   const DrivenPlaces &leaves = places_from(from.all.at, 1), &enters = places_from(to.all.at, -1);
-  return {first_on_m(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
-          first_on_m(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
+  SingleStop out{first_on_m(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
+                 first_on_m(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
+  const bool once = out.out_m || out.in_m || out.out_and_on || out.in_and_on;
+  out.stops = out.out_m.value_or(1) + out.in_m.value_or(1) <= 0 ? 0 : once ? 1 : 2;
+  return out;
 }
 
 /// Ways that back farther than a line is followed: from there any way, with any changes of gear.
@@ -298,7 +301,7 @@ double LandSides::farther_s(const WayEnd& from, const WayEnd& to, const SingleSt
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
     const bool along = (&end == &from ? may.out_m : may.in_m) && !end.to_far_end;
     const bool on = (&end == &from ? may.out_and_on : may.in_and_on) && reached_by_one_stop(end, other);
-    return (along || on ? 1 : 2) * costs_.stop_s +
+    return std::max(may.stops, along || on ? 1 : 2) * costs_.stop_s +
            (end.behind_m + end.follows_m) / costs_.turning.reverse_speed_mps +
            least_with_reversing_m(end.backed(end.follows_m), other.at, costs_.radius_m) / fastest_mps -
            other.behind_m / costs_.turning.turning_speed_mps;
@@ -321,19 +324,19 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, const Sing
                               in_m = may.out_m ? std::nullopt : std::optional(0.0);
   const double out_alone_m = may.out_m.value_or(0), in_alone_m = may.in_m.value_or(0);
   std::vector<BackedAsAsked> ways{{std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m,
-                                   out_alone_m, in_alone_m, !may.forward()}};
+                                   out_alone_m, in_alone_m, may.stops}};
   const Instead &one = of_from.instead, &other = of_to.instead;
   const double together_m = std::min(one.together_m, other.together_m);
   if (together_m < kNever_s)
     ways.push_back({out_m, in_m, std::max(back_m, together_m),
                     std::max(out_alone_m, std::min(one.here_m, other.there_m)),
-                    std::max(in_alone_m, std::min(one.there_m, other.here_m)), !may.forward()});
+                    std::max(in_alone_m, std::min(one.there_m, other.here_m)), may.stops});
   return least_backed_s(costs_, from, to, ways, known_s);
 }
 
 double LandSides::way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
                         double enough_s) const {
-  const bool always = may.forward() && may.out_and_on && may.in_and_on;
+  const bool always = may.stops == 0 && may.out_and_on && may.in_and_on;
   const bool bounded = !always || in_band(from, to) != InBand::kFree ||
                        asked(from, to, costs_.radius_m).back_m || asked(to, from, costs_.radius_m).back_m ||
                        !turned_round(from, to).empty();
@@ -351,23 +354,26 @@ double LandSides::both_s(const LineEnd& from, const LineEnd& to, const SingleSto
 }
 
 /// From behind the bends of either line.
-double LandSides::behind_bends_s(const LineEnd& from, const LineEnd& to, double known_s,
+double LandSides::behind_bends_s(const LineEnd& from, const LineEnd& to, int stops, double known_s,
                                  double enough_s) const {
   const auto ends = [](const LineEnd& line) {
     return line.behind.empty() ? std::vector<WayEnd>{line.all} : line.behind;
   };
   double out_s = known_s;
+  SingleStop may;
+  may.stops = stops;
   if (from.behind.empty() && to.behind.empty()) return out_s;
   for (const WayEnd& leaves : ends(from))
     for (const WayEnd& enters : ends(to))
-      if (out_s < enough_s) out_s = way_s(leaves, enters, {}, out_s, enough_s);
+      if (out_s < enough_s) out_s = way_s(leaves, enters, may, out_s, enough_s);
   return out_s;
 }
 
 double LandSides::least_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const {
-  const double anyhow_s = behind_bends_s(from, to, both_s(from, to, {}, known_s, enough_s), enough_s);
+  const double anyhow_s = behind_bends_s(from, to, 0, both_s(from, to, {}, known_s, enough_s), enough_s);
   if (anyhow_s >= enough_s || !land_) return anyhow_s;
-  return both_s(from, to, single_stop(from, to), anyhow_s, enough_s);
+  const SingleStop may = single_stop(from, to);
+  return behind_bends_s(from, to, may.stops, both_s(from, to, may, anyhow_s, enough_s), enough_s);
 }
 
 }  // namespace tramline::check

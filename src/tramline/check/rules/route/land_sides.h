@@ -74,8 +74,7 @@ class LandSides {
     bool out_and_on = true;
     std::optional<double> in_m = 0;
     bool in_and_on = true;
-    /// From the end of the one line to the beginning of the other without any.
-    bool forward() const { return out_m && *out_m <= 0 && in_m && *in_m <= 0; }
+    int stops = 0;  ///< at least: none from the end of the one line straight to the beginning of the other
   };
   const DrivenPlaces& places_from(const Pose& at, double sense) const;
   SingleStop single_stop(const LineEnd& from, const LineEnd& to) const;
@@ -83,7 +82,8 @@ class LandSides {
   double along_lines_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s) const;
   double way_s(const WayEnd& from, const WayEnd& to, const SingleStop& may, double known_s,
                double enough_s) const;
-  double behind_bends_s(const LineEnd& from, const LineEnd& to, double known_s, double enough_s) const;
+  double behind_bends_s(const LineEnd& from, const LineEnd& to, int stops, double known_s,
+                        double enough_s) const;
   double both_s(const LineEnd& from, const LineEnd& to, const SingleStop& may, double known_s,
                 double enough_s) const;
 
