@@ -88,8 +88,8 @@ TEST(RingPlaces, AreReachedAndLeftNoSoonerThanAllPlacesCloseTogether) {
     // A place is a step from the next: less by the step, and by what it would take to drive on to there.
     // Distances are to every other place.
     const double step_s = ring.step_m / machine.turning.turning_speed_mps;
-    expect_bounds(least_from_ring(ring, end, least), from_s, 2 * step_s);
-    expect_bounds(least_to_ring(end, ring, least), to_s, 2 * step_s);
+    expect_bounds(least_from_ring(ring, end, machine.turning.lower_m, least), from_s, 2 * step_s);
+    expect_bounds(least_to_ring(end, machine.turning.lift_m, ring, least), to_s, 2 * step_s);
     expect_bounds(least_distance_m(ring, end.at), apart_m, 1.5 * (2 * ring.step_m));
   });
 }

@@ -28,6 +28,8 @@ Plan plan_with_a_stop() {
   return out;
 }
 
+double at_once(const Pose&) { return 0; }
+
 /// North to a place from 150 m before it.
 WorkedCourse north_to(Point at, const Plan& plan) {
   return {{{at - Point{0, 150}, at, 0}}, PathEnds::kApart, plan.machine};
@@ -59,11 +61,11 @@ TEST(LandSides, AskForAStopWhereNoWayForwardLeadsToAClosedPass) {
     const WorkedCourse track = north_to({40, at_m}, plan);
     const WorkedCourse back({{{40, at_m}, {40, at_m - 150}, 0}}, PathEnds::kApart, plan.machine);
     const double asked_s = at_m > 191 ? stop_s : 0;
-    EXPECT_DOUBLE_EQ(sides->stops_s(sides->leaving(track), edge), asked_s);
-    EXPECT_DOUBLE_EQ(sides->stops_s(sides->entering(back), edge), asked_s);
+    EXPECT_NEAR(sides->with_stop_s(sides->leaving(track), edge, at_once), asked_s, 0.02);
+    EXPECT_NEAR(sides->with_stop_s(sides->entering(back), edge, at_once), asked_s, 0.02);
   }
   const WorkedCourse track = north_to({40, 189}, plan);
-  EXPECT_EQ(sides->stops_s(sides->leaving(track), ahead), 0);
+  EXPECT_EQ(sides->with_stop_s(sides->leaving(track), ahead, at_once), 0);
 }
 
 // Two tracks at 45° to an edge 9 m ahead, 8.49 m apart: between them is a loop of 270°, and √(8.49² + 12²) m
@@ -117,7 +119,7 @@ TEST(LandSides, AskForNoStopOfRoutesWithoutAny) {
   ASSERT_TRUE(sides);
   const std::vector<LineStep> edge =
       steps_round(testing_plans::rounded_rectangle(3, 3, 97, 197, 6), *sides, plan);
-  EXPECT_EQ(sides->stops_s(sides->leaving(north_to({40, 192}, plan)), edge), 0);
+  EXPECT_EQ(sides->with_stop_s(sides->leaving(north_to({40, 192}, plan)), edge, at_once), 0);
 }
 
 }  // namespace

@@ -11,15 +11,13 @@
 namespace tramline {
 namespace {
 
-/// Distances backed are divided down to so much, m.
-constexpr double kLeastDivided_m = 0.05;
 /// Where so many divisions do not tell, nothing is known.
 constexpr int kMostDivided = 10000;
 constexpr double kNoWay_s = std::numeric_limits<double>::infinity();
 
-double less_s(double found_s) { return std::max(kDivided_s, kDividedShare * found_s); }
-
 }  // namespace
+
+double less_by_dividing_s(double found_s) { return std::max(kDivided_s, kDividedShare * found_s); }
 
 Pose backed(const LineExit& exit, double by_m) {
   return exit.line.empty() ? exit.pose : pose_on(exit.line, by_m);
@@ -103,7 +101,7 @@ std::vector<BackedWays::Backed> BackedWays::parted(const Backed& all) const {
 /// where it would have been, so the way from there is longer by no more than that.
 double BackedWays::least_of(Backed all, double known_s) const {
   if (all.out_from > all.out_to || all.in_from > all.in_to) return kNoWay_s;
-  double least_s = kNoWay_s, found_s = known_s + less_s(known_s);
+  double least_s = kNoWay_s, found_s = known_s + less_by_dividing_s(known_s);
   const auto try_at = [&](Backed part, double out_m, double in_m) {
     if (out_m + in_m < all.in_all) return;
     part.out_to = out_m;
@@ -126,7 +124,7 @@ double BackedWays::least_of(Backed all, double known_s) const {
     if (part.out_to + part.in_to < part.in_all) continue;
     const double out_m = part.out_to - part.out_from, in_m = part.in_to - part.in_from;
     const double at_least_s = seconds(part, part.out_from + part.in_from, forward_m(part) - out_m - in_m);
-    if (at_least_s >= found_s - less_s(found_s)) continue;
+    if (at_least_s >= found_s - less_by_dividing_s(found_s)) continue;
     if (std::max(out_m, in_m) < kLeastDivided_m) {
       least_s = std::min(least_s, at_least_s);
       continue;
@@ -140,7 +138,7 @@ double BackedWays::least_of(Backed all, double known_s) const {
     open.push_back(far);
     open.push_back(near);
   }
-  return std::min(least_s, found_s - less_s(found_s));
+  return std::min(least_s, found_s - less_by_dividing_s(found_s));
 }
 
 double BackedWays::least_s(const AskedBacking& asked, double known_s) const {

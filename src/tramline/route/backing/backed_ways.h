@@ -71,5 +71,9 @@ class BackedWays {
 /// BackedWays::least_s() may be less than the least time by so much, s, or by such a share of it: more than
 /// the verifier's search may be.
 inline constexpr double kDivided_s = 0.1, kDividedShare = 0.003;
+/// That much.
+double less_by_dividing_s(double found_s);
+/// Distances backed are divided down to so much, m.
+inline constexpr double kLeastDivided_m = 0.05;
 
 }  // namespace tramline

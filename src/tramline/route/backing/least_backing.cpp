@@ -288,10 +288,11 @@ double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, c
   const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
   const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
   if (or_in_all_m == kNowhere_m) return turning_s;
-  return ways.least_s({out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
-                       std::max(only_out_m, std::min(of_left.here_only_m, of_entered.there_only_m)),
-                       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), may.least_stops},
-                      turning_s);
+  return ways.least_s(
+      {out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
+       std::max(only_out_m, std::min(of_left.here_only_m, of_entered.there_only_m)),
+       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), may.least_stops},
+      turning_s);
 }
 
 /// From a pose that leads away from a side, backing on (`sense` +1), or forward on from one that leads to it
@@ -359,14 +360,13 @@ double LeastBacking::between(const LineExits& left, const LineExits& entered, do
   return may.all() ? anyhow_s : least_of_lines(left, entered, may, anyhow_s);
 }
 
-double LeastBacking::to_ring(const LineExits& exits, std::span<const SteeredPath> ring, double apart_m,
-                             double known_s) const {
+double LeastBacking::to_ring(const LineExits& exits, std::span<const SteeredPath> ring,
+                             const LeastOnFrom& on_s, double known_s) const {
   const auto driven_to = [&](const SteeredPath& line) {
     return first_met_m(*exits.reached->off, line).has_value();
   };
   if (!exits.reached || std::ranges::any_of(ring, driven_to)) return known_s;
-  const double fastest_mps = std::max(terms_.turning.turning_speed_mps, terms_.turning.reverse_speed_mps);
-  return std::max(known_s, terms_.stop_s + apart_m / fastest_mps);
+  return std::max(known_s, least_backed_first_s(terms_, exits.whole, on_s));
 }
 
 double LeastBacking::least_of_lines(const LineExits& left, const LineExits& entered, const OneStop& may,
@@ -384,8 +384,8 @@ double LeastBacking::least_behind_bends(const LineExits& left, const LineExits& 
   if (!left.behind_bend && !entered.behind_bend) return known_s;
   OneStop may;
   may.least_stops = least_stops;
-  return least_between(left.behind_bend.value_or(left.whole), entered.behind_bend.value_or(entered.whole), may,
-                       known_s);
+  return least_between(left.behind_bend.value_or(left.whole), entered.behind_bend.value_or(entered.whole),
+                       may, known_s);
 }
 
 double LeastBacking::least_between(const LineExit& left, const LineExit& entered, const OneStop& may,

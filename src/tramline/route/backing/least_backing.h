@@ -9,6 +9,7 @@
 #include "tramline/geometry/path/steered_path.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/machine.h"
+#include "tramline/route/backing/backed_first.h"
 #include "tramline/route/backing/backed_ways.h"
 #include "tramline/route/backing/gentle_run.h"
 #include "tramline/route/backing/heading_reach.h"
@@ -52,8 +53,9 @@ class LeastBacking {
   double between(const LineExits& left, const LineExits& entered, double known_s) const;
 
   /// Between an end of a line, left or entered, and a closed pass that the axle works along one of these
-  /// lines, and that lies so far away, s; at least `known_s`.
-  double to_ring(const LineExits& exits, std::span<const SteeredPath> ring, double apart_m,
+  /// lines, s; at least `known_s`. `on_s`: what it takes at least on to the pass from a pose of the line, or
+  /// from the pass to there.
+  double to_ring(const LineExits& exits, std::span<const SteeredPath> ring, const LeastOnFrom& on_s,
                  double known_s) const;
 
  private:

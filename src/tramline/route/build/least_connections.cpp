@@ -94,11 +94,13 @@ double LeastConnections::to_ring(std::size_t node, std::size_t which) const {
   if (is_gate(node) || (is_ring(node) && apart_m > next_rings_m_)) return apart_s;
   if (is_ring(node))
     return std::max(apart_s, least_between_rings(members_.rings[ring(node)], places, least_));
-  double to_s = least_to_ring(left_[node], places, least_),
-         from_s = least_from_ring(places, entered_[node], least_);
+  double to_s = least_to_ring(left_[node], least_.lift_m(), places, least_),
+         from_s = least_from_ring(places, entered_[node], least_.lower_m(), least_);
   if (backing_) {
-    to_s = backing_->to_ring(exits_left_[node], places.lines, apart_m, to_s);
-    from_s = backing_->to_ring(exits_entered_[node], places.lines, apart_m, from_s);
+    const auto on_s = [&](const Pose& from) { return least_to_ring(from, 0, places, least_); };
+    const auto before_s = [&](const Pose& to) { return least_from_ring(places, to, 0, least_); };
+    to_s = backing_->to_ring(exits_left_[node], places.lines, on_s, std::max(to_s, apart_s));
+    from_s = backing_->to_ring(exits_entered_[node], places.lines, before_s, std::max(from_s, apart_s));
   }
   return std::max(apart_s, std::min(to_s, from_s));
 }

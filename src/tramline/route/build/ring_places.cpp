@@ -101,12 +101,13 @@ RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning) {
   return out;
 }
 
-double least_from_ring(const RingPlaces& ring, const Pose& entered, const LeastSeconds& least) {
+double least_from_ring(const RingPlaces& ring, const Pose& entered, double lower_m,
+                       const LeastSeconds& least) {
   double out = kFar;
   for (const std::vector<Pose>& places : ring.senses) {
     const auto crude = [&](std::size_t i) { return crude_s(places[i], entered, least); };
     const auto value = [&](std::size_t i, double known_s) {
-      return least.between(places[i], 0, entered, least.lower_m(), known_s);
+      return least.between(places[i], 0, entered, lower_m, known_s);
     };
     out = std::min(out, value(nearest_place(places.size(), fall_s(ring, least), crude), out));
     out = least_of_places(places.size(), fall_s(ring, least), out, crude, value);
@@ -115,13 +116,13 @@ double least_from_ring(const RingPlaces& ring, const Pose& entered, const LeastS
 }
 
 // The way to a place is a step longer at most than that to the one before: they are looked at backwards.
-double least_to_ring(const Pose& left, const RingPlaces& ring, const LeastSeconds& least) {
+double least_to_ring(const Pose& left, double lift_m, const RingPlaces& ring, const LeastSeconds& least) {
   double out = kFar;
   for (const std::vector<Pose>& places : ring.senses) {
     const auto place = [&](std::size_t i) { return places[places.size() - 1 - i]; };
     const auto crude = [&](std::size_t i) { return crude_s(left, place(i), least); };
     const auto value = [&](std::size_t i, double known_s) {
-      return least.between(left, least.lift_m(), place(i), 0, known_s);
+      return least.between(left, lift_m, place(i), 0, known_s);
     };
     out = std::min(out, value(nearest_place(places.size(), fall_s(ring, least), crude), out));
     out = least_of_places(places.size(), fall_s(ring, least), out, crude, value);

@@ -31,8 +31,10 @@ RingPlaces ring_places(const HeadlandPass& pass, const Turning& turning);
 /// next place and would be there a step later, or have come from the one before; so it is less by no more
 /// than a step, which is taken off, and places near one that is far dearer need no look. Precondition: the
 /// machine can drive along the rings. O(p) for p places, of rings O(p²); mostly far less.
-double least_from_ring(const RingPlaces& ring, const Pose& entered, const LeastSeconds& least);
-double least_to_ring(const Pose& left, const RingPlaces& ring, const LeastSeconds& least);
+/// `lift_m`, `lower_m`: straight on at the end that is no ring.
+double least_from_ring(const RingPlaces& ring, const Pose& entered, double lower_m,
+                       const LeastSeconds& least);
+double least_to_ring(const Pose& left, double lift_m, const RingPlaces& ring, const LeastSeconds& least);
 double least_between_rings(const RingPlaces& one, const RingPlaces& other, const LeastSeconds& least);
 
 /// From a point to the ring, or between rings, m: no way is shorter.

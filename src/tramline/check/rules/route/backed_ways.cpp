@@ -173,4 +173,37 @@ double least_backed_s(const WayCosts& costs, const WayEnd& from, const WayEnd& t
   return search.least_s(known_s);
 }
 
+/// The most promising of equal parts is halved first.
+double least_backed_first_s(const WayCosts& costs, const WayEnd& end,
+                            const std::function<double(const Pose&)>& on_s) {
+  const auto back_s = [&](double by_m) { return by_m / costs.turning.reverse_speed_mps; };
+  struct Stretch {
+    double near_m = 0, far_m = 0, at_least_s = 0;
+    bool operator<(const Stretch& other) const { return at_least_s > other.at_least_s; }
+  };
+  std::priority_queue<Stretch> open;
+  double found_s = on_s(end.at);
+  const auto push = [&](double near_m, double far_m) {
+    const double from_far_s = on_s(end.backed(far_m));
+    found_s = std::min(found_s, back_s(far_m) + from_far_s);
+    open.push(
+        {near_m, far_m, back_s(near_m) + from_far_s - (far_m - near_m) / costs.turning.turning_speed_mps});
+    return from_far_s;
+  };
+  // From where the line is no longer followed the way may go on in reverse, without another stop.
+  const double beyond_s = back_s(end.follows_m) + std::max(0.0, push(0, end.follows_m) - costs.stop_s);
+  double out_s = found_s;
+  for (int parts = 0; parts < kMostParts; ++parts) {
+    const Stretch all = open.top();
+    open.pop();
+    out_s = std::min(all.at_least_s, found_s);
+    const bool found = out_s >= found_s - std::max(kFoundTo_s, kFoundToShare * found_s);
+    if (found || all.far_m - all.near_m < kSmallest_m) break;
+    const double middle_m = 0.5 * (all.near_m + all.far_m);
+    push(all.near_m, middle_m);
+    push(middle_m, all.far_m);
+  }
+  return costs.stop_s + std::min(out_s, beyond_s);
+}
+
 }  // namespace tramline::check

@@ -2,6 +2,7 @@
 // The least that ways take which back out of a line or into another: facts of the rule about the bound of a
 // route.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct BackedAsAsked {
   double out_alone_m = 0, in_alone_m = 0;
   int stops = 0;
 };
+
+/// No way takes less, s, that backs by any distance along the line and then, with a stop, takes `on_s` at
+/// least from there: no more from farther back than by driving on along the line. Found to a thousandth.
+double least_backed_first_s(const WayCosts& costs, const WayEnd& end,
+                            const std::function<double(const Pose&)>& on_s);
 
 /// No way of any of these that backs no farther than the lines are followed takes less, s. Found to a
 /// thousandth by splitting the distances backed, the most promising first; where it is `known_s` or more, to

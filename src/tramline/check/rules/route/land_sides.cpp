@@ -202,10 +202,11 @@ std::vector<LineStep> LandSides::round(const WorkedCourse& pass) const {
   return steps_along(pieces, [&](double at_m) { return pose_of(pass.line().place(at_m)); });
 }
 
-/// To back into the pass is to back along it, from another of its places.
-double LandSides::stops_s(const LineEnd& end, const std::vector<LineStep>& pass) const {
+/// To back into the pass is to back along it, from another of its places: so it backs along the line.
+double LandSides::with_stop_s(const LineEnd& end, const std::vector<LineStep>& pass,
+                              const std::function<double(const Pose&)>& on_s) const {
   if (!land_ || first_on_m(pass, places_from(end.all.at, -end.all.sense))) return 0;
-  return costs_.stop_s;
+  return least_backed_first_s(costs_, end.all, on_s);
 }
 
 LineEnd LandSides::leaving(const WorkedCourse& course) const {

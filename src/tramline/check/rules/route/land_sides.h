@@ -1,6 +1,7 @@
 #pragma once
 // What the sides of the land ask of ways between lines: facts of the rule about the bound of a route.
 
+#include <functional>
 #include <list>
 #include <optional>
 #include <vector>
@@ -38,8 +39,10 @@ class LandSides {
 
   /// All round a closed pass.
   std::vector<LineStep> round(const WorkedCourse& pass) const;
-  /// What stops count, s, that no way between an end of a line and places of a closed pass can do without.
-  double stops_s(const LineEnd& end, const std::vector<LineStep>& pass) const;
+  /// Where no way between an end of a line and places of a closed pass does without a stop, what ways take at
+  /// least that back along the line, s; else 0. `on_s`: what they take at least from a pose of the line on.
+  double with_stop_s(const LineEnd& end, const std::vector<LineStep>& pass,
+                     const std::function<double(const Pose&)>& on_s) const;
 
   /// No way from one to the other takes less, s; at least `known_s`, of which that is known. Found to a
   /// thousandth by splitting the distances backed, the most promising first; where it is `enough_s` or more,

@@ -205,24 +205,46 @@ double LeastWays::least_s(const Pose& left, double lift_m, const Pose& entered, 
   return std::min(forward_s, reversing_s_ + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
 }
 
-/// At a closed pass the implement is lifted and lowered anywhere along it.
-double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const {
-  const double lift_m = from.kind == NodeKind::kClosedPass ? 0 : turning_.lift_m;
-  const double lower_m = to.kind == NodeKind::kClosedPass ? 0 : turning_.lower_m;
+double LeastWays::least_of_places_s(const RouteNode& from, double lift_m, const RouteNode& to,
+                                    double lower_m) const {
   double out_s = kNever_s;
   for (const Pose& left : from.left)
     for (const Pose& entered : to.entered)
       out_s = std::min(out_s, least_s(left, lift_m, entered, lower_m, out_s));
+  return out_s;
+}
+
+/// At a closed pass the implement is lifted and lowered anywhere along it.
+double LeastWays::one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const {
+  const double lift_m = from.kind == NodeKind::kClosedPass ? 0 : turning_.lift_m;
+  const double lower_m = to.kind == NodeKind::kClosedPass ? 0 : turning_.lower_m;
+  const double out_s = least_of_places_s(from, lift_m, to, lower_m);
   if (!from.leaving || !to.entering) return out_s;
   return sides_->least_s(*from.leaving, *to.entering, out_s, enough_s);
 }
 
-/// That a way from a line to a closed pass or to a line from there cannot do without.
-double LeastWays::stops_s(const RouteNode& from, const RouteNode& to) const {
+/// What a way from a line to a closed pass takes, or to a line from there, where it has to stop. Having
+/// backed it need not lift the implement, nor lower it before it does.
+double LeastWays::with_stop_s(const RouteNode& from, const RouteNode& to) const {
   if (!sides_) return 0;
-  if (from.leaving && to.kind == NodeKind::kClosedPass) return sides_->stops_s(*from.leaving, to.line);
-  if (from.kind == NodeKind::kClosedPass && to.entering) return sides_->stops_s(*to.entering, from.line);
+  const auto standing_at = [](const Pose& pose) {
+    RouteNode out;
+    out.left = out.entered = {pose};
+    return out;
+  };
+  if (from.leaving && to.kind == NodeKind::kClosedPass)
+    return sides_->with_stop_s(*from.leaving, to.line, [&](const Pose& pose) {
+      return std::max(0.0, least_of_places_s(standing_at(pose), 0, to, 0) - steps_s(from, to));
+    });
+  if (from.kind == NodeKind::kClosedPass && to.entering)
+    return sides_->with_stop_s(*to.entering, from.line, [&](const Pose& pose) {
+      return std::max(0.0, least_of_places_s(from, 0, standing_at(pose), 0) - steps_s(from, to));
+    });
   return 0;
+}
+
+double LeastWays::steps_s(const RouteNode& a, const RouteNode& b) const {
+  return (a.step_m + b.step_m) / turning_.turning_speed_mps;
 }
 
 double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_s) const {
@@ -232,9 +254,9 @@ double LeastWays::between(const RouteNode& a, const RouteNode& b, double enough_
   // Places are as far from the nearest ones as passes are from one another but for steps along both.
   const double next_m = kNextPasses_widths * width_m_ + 2 * (a.step_m + b.step_m);
   if (both_closed && straight * fastest_mps_ > next_m) return straight;
-  const double steps_s = (a.step_m + b.step_m) / turning_.turning_speed_mps;
+  const double step_s = steps_s(a, b);
   const auto least_s = [&](const RouteNode& from, const RouteNode& to, double up_to_s) {
-    return std::max(one_way_s(from, to, up_to_s + steps_s) - steps_s, stops_s(from, to) + straight);
+    return std::max({one_way_s(from, to, up_to_s + step_s) - step_s, with_stop_s(from, to), straight});
   };
   const double there_s = least_s(a, b, enough_s);
   return std::min(there_s, least_s(b, a, std::min(there_s, enough_s)));

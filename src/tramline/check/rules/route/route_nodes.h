@@ -58,7 +58,9 @@ class LeastWays {
  private:
   double least_s(const Pose& left, double lift_m, const Pose& entered, double lower_m, double known_s) const;
   double one_way_s(const RouteNode& from, const RouteNode& to, double enough_s) const;
-  double stops_s(const RouteNode& from, const RouteNode& to) const;
+  double steps_s(const RouteNode& a, const RouteNode& b) const;
+  double with_stop_s(const RouteNode& from, const RouteNode& to) const;
+  double least_of_places_s(const RouteNode& from, double lift_m, const RouteNode& to, double lower_m) const;
 
   Turning turning_;
   double width_m_;
