@@ -16,7 +16,7 @@ namespace {
 TEST(PairCosts, AreThoseOfAMapByPairsInEitherOrder) {
   for_each_seed(50, [](std::mt19937_64& random, int) {
     const int ends = any_of(random, 2, 200);
-    PairCosts costs;
+    PairCosts costs(static_cast<std::size_t>(any_of(random, 0, 1) * any_of(random, 0, 3000)));
     std::map<std::pair<std::size_t, std::size_t>, double> expected;
     double next = 0;
     for (int i = 0; i < 5000; ++i) {

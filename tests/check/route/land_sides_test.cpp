@@ -64,6 +64,16 @@ TEST(LandSides, AskForAStopWhereNoWayForwardLeadsToAClosedPass) {
     EXPECT_NEAR(sides->with_stop_s(sides->leaving(track), edge, at_once), asked_s, 0.02);
     EXPECT_NEAR(sides->with_stop_s(sides->entering(back), edge, at_once), asked_s, 0.02);
   }
+  // It backs out 1 m, and a quarter of a circle of 6 m leads to the pass at y = 197.
+  const Turning& turning = plan.machine.turning;
+  const auto on_s = [&](const Pose& from) {
+    const double to_line_m = 197 - from.at.y;
+    const double arc_m = 0.5 * std::numbers::pi * 6;
+    return (to_line_m < 6 ? 1000 : arc_m + to_line_m - 6) / turning.turning_speed_mps;
+  };
+  const double backed_s =
+      stop_s + 1 / turning.reverse_speed_mps + 3 * std::numbers::pi / turning.turning_speed_mps;
+  EXPECT_NEAR(sides->with_stop_s(sides->leaving(north_to({40, 192}, plan)), edge, on_s), backed_s, 0.05);
   const WorkedCourse track = north_to({40, 189}, plan);
   EXPECT_EQ(sides->with_stop_s(sides->leaving(track), ahead, at_once), 0);
 }

@@ -35,18 +35,21 @@ bool may_point(const PlacesByHeading& places, const Pose& pose) {
   return first_met_m(places, standing_at(pose)).has_value();
 }
 
+/// A strip towards the north, 200 m long, and a bar of 12 m that turns by 6 m.
+HeadingReach on_a_strip(double wide_m) {
+  Machine machine;
+  machine.width_m = 12;
+  machine.radius_m = 6;
+  return {sides_of({{0, 0}, {wide_m, 0}, {wide_m, 200}, {0, 200}}),
+          testing::DriveScene{machine, {}, {{0, 0}, heading_deg(0)}}.corners(), machine.radius_m};
+}
+
 // A bar of 12 m turns by 6 m. It begins 6 m off the western edge of a strip, towards the north, and turns
 // round where it stands 12 m farther east at the other end of half a circle, and has 6 m beyond it: on 24 m.
 // On 21 m it still turns by a right angle, 12 m off the edge, and comes back to its heading.
 TEST(HeadingReach, TurnsRoundWhereTheStripIsAsWideAsItsTurnAndItsBar) {
-  Machine machine;
-  machine.width_m = 12;
-  machine.radius_m = 6;
-  const auto reached = [&](double wide_m, const Pose& pose) {
-    const HeadingReach land(sides_of({{0, 0}, {wide_m, 0}, {wide_m, 200}, {0, 200}}),
-                            testing::DriveScene{machine, {}, {{0, 0}, heading_deg(0)}}.corners(),
-                            machine.radius_m);
-    return may_point(land.from({{6, 60}, heading_deg(0)}, 1), pose);
+  const auto reached = [](double wide_m, const Pose& pose) {
+    return may_point(on_a_strip(wide_m).from({{6, 60}, heading_deg(0)}, 1), pose);
   };
   EXPECT_TRUE(reached(24.1, {{18, 60}, heading_deg(180)}));
   EXPECT_FALSE(reached(21, {{15, 60}, heading_deg(180)}));
@@ -57,11 +60,7 @@ TEST(HeadingReach, TurnsRoundWhereTheStripIsAsWideAsItsTurnAndItsBar) {
 
 // Backing from a place leads to where driving on to it leads from.
 TEST(HeadingReach, InReverseIsWhatLeadsThere) {
-  Machine machine;
-  machine.width_m = 12;
-  machine.radius_m = 6;
-  const HeadingReach land(sides_of({{0, 0}, {21, 0}, {21, 200}, {0, 200}}),
-                          testing::DriveScene{machine, {}, {{0, 0}, heading_deg(0)}}.corners(), 6);
+  const HeadingReach land = on_a_strip(21);
   const PlacesByHeading before = land.from({{14, 150}, heading_deg(0)}, -1);
   EXPECT_TRUE(may_point(before, {{6, 60}, heading_deg(0)}));
   EXPECT_FALSE(may_point(before, {{6, 160}, heading_deg(0)}));
@@ -72,11 +71,7 @@ TEST(HeadingReach, InReverseIsWhatLeadsThere) {
 // On a strip too narrow to turn round on the machine that begins 60 m along it is on no place before: 20 m on
 // from 40 m, to the 12 cm by which places are held to be uncertain, and at once on what lies before it.
 TEST(HeadingReach, TellsWhereALineIsMetFirst) {
-  Machine machine;
-  machine.width_m = 12;
-  machine.radius_m = 6;
-  const HeadingReach land(sides_of({{0, 0}, {21, 0}, {21, 200}, {0, 200}}),
-                          testing::DriveScene{machine, {}, {{0, 0}, heading_deg(0)}}.corners(), 6);
+  const HeadingReach land = on_a_strip(21);
   const PlacesByHeading places = land.from({{6, 60}, heading_deg(0)}, 1);
   const auto north_from = [&](double y) {
     return first_met_m(places, {arc_from({{6, y}, heading_deg(0)}, 60, 0, Gear::kForward)});

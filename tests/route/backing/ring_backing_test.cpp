@@ -68,10 +68,11 @@ TEST(LeastBacking, ToAClosedPassIsAStopWhereNoWayForwardLeadsToIt) {
 
 constexpr double kStopTried_s = 100;
 
-/// Ways to the pass from any place of the line to which the machine has backed, by words of Dubins.
-void expect_no_more_than_ways_tried(const LeastBacking& backing, const SteeredPath& line,
-                                    const std::array<SteeredPath, 2>& ring, const AllowedLand& land,
-                                    const Machine& machine, std::mt19937_64& random) {
+/// Ways to the pass from any place of the line to which the machine has backed, by words of Dubins; how many
+/// of them have room.
+int expect_no_more_than_ways_tried(const LeastBacking& backing, const SteeredPath& line,
+                                   const std::array<SteeredPath, 2>& ring, const AllowedLand& land,
+                                   const Machine& machine, std::mt19937_64& random) {
   const Outline outline = outline_of(machine);
   const LeastSeconds least(machine, kStopTried_s);
   constexpr double kStep_m = 0.5;
@@ -83,6 +84,7 @@ void expect_no_more_than_ways_tried(const LeastBacking& backing, const SteeredPa
     return std::max(0.0, out_s - kStep_m / machine.turning.turning_speed_mps);
   };
   const double found_s = backing.to_ring(backing.left(line), ring, on_s, 0);
+  int tried = 0;
   for (int i = 0; i < 100; ++i) {
     const double back_m = uniform(random, 0, length(line));
     const SteeredPath& round = ring[static_cast<std::size_t>(any_of(random, 0, 1))];
@@ -90,16 +92,18 @@ void expect_no_more_than_ways_tried(const LeastBacking& backing, const SteeredPa
     for (const Manoeuvre& way :
          dubins_words(from, pose_on(round, uniform(random, 0, length(round))), machine.radius_m))
       if (land.fits(way.path, outline)) {
+        ++tried;
         EXPECT_LE(found_s, kStopTried_s + 2 * machine.turning.gear_change_s +
                                back_m / machine.turning.reverse_speed_mps +
                                length(way.path) / machine.turning.turning_speed_mps);
       }
   }
+  return tried;
 }
 
 // Where any forward way that is tried from a line to a closed pass, or back, has room, no stop is asked for.
 TEST(LeastBacking, AsksForNoStopWhereAWayLeadsForwardToAClosedPass) {
-  int asked = 0, driven = 0;
+  int asked = 0, driven = 0, backed = 0;
   for_each_seed(200, [&](std::mt19937_64& random, int) {
     const Machine machine = random_machine_that_backs(random);
     const double least_m = machine.width_m + 2 * machine.radius_m;
@@ -123,7 +127,7 @@ TEST(LeastBacking, AsksForNoStopWhereAWayLeadsForwardToAClosedPass) {
     }
     driven += fits ? 1 : 0;
     EXPECT_FALSE(stops && fits);
-    if (stops) expect_no_more_than_ways_tried(backing, line->driven, ring, land, machine, random);
+    if (stops) backed += expect_no_more_than_ways_tried(backing, line->driven, ring, land, machine, random);
     // The way from the pass is the same turned round.
     const LineExits back = backing.entered(turned_round(line->driven));
     if (machine.turning.implement_offset_m == 0 && machine.turning.front_overhang_m == 0) {
@@ -132,7 +136,9 @@ TEST(LeastBacking, AsksForNoStopWhereAWayLeadsForwardToAClosedPass) {
   });
   EXPECT_GT(asked, 0);
   EXPECT_GT(driven, 0);
-  std::cout << asked << " lines with a stop, " << driven << " with a way forward\n";
+  EXPECT_GT(backed, 0);
+  std::cout << asked << " lines with a stop (" << backed << " ways that back first), " << driven
+            << " with a way forward\n";
 }
 
 }  // namespace

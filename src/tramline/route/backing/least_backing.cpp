@@ -9,6 +9,7 @@
 
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/route/axle/axle_path.h"
+#include "tramline/route/backing/needed_backing.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 #include "tramline/turns/outline/outline.h"
 
@@ -19,86 +20,16 @@ namespace {
 constexpr double kTouching_m = 0.05;
 /// Headings parallel to a side to this sine do not lead to it.
 constexpr double kParallel = 1e-6;
-/// Lines that are parallel to a side but for rounding lead away from it by no more than this sine, and those
-/// that are straight but for it turn by no more: less than the verifier takes for such.
-constexpr double kLeadsAway = 1e-7, kNotBent = 1e-7;
+/// Lines that are straight but for rounding turn by no more than this sine: less than the verifier takes for
+/// such.
+constexpr double kNotBent = 1e-7;
 /// A side is far enough where no more than this is lacking, m.
 constexpr double kFarEnough_m = 1e-3;
 
-constexpr double kNever_s = std::numeric_limits<double>::infinity(), kNowhere_m = kNever_s;
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 bool straight(const SteeredStretch& stretch) {
   return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
-}
-
-/// Where the machine points when it leaves, or would point if it drove the way from its end.
-Point outwards(const LineExit& exit) { return -exit.backing * exit.pose.heading.unit(); }
-
-/// To back in all, at both ends together, or at one end only, m.
-struct HeadsAllAlong {
-  double in_all_m = kNowhere_m, here_only_m = kNowhere_m, there_only_m = kNowhere_m;
-};
-
-/// What the sides ask of one end of a way.
-struct Needed {
-  std::optional<double> back_m{};  ///< to back there so far at least; nullopt: nothing
-  HeadsAllAlong or_all_along{};    ///< or so far, to head for a side all the way
-};
-
-/// How far a way gets towards a side at the least while it heads for it all along and gets so far aside, m.
-/// The sines are those of the headings at its ends, from straight at the side to where it gets. Over a length
-/// it is turned aside nowhere by more than by arcs of radius r from both ends, and by no more than π/2: by
-/// these it gets farthest aside, and towards the side least far.
-double advances_m(double aside_m, double sine, double sine_to, double radius_m) {
-  const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine)),
-               cosine_to = std::sqrt(std::max(0.0, 1 - sine_to * sine_to));
-  if (aside_m <= radius_m * std::abs(cosine - cosine_to)) return 0;
-  const double flattest = std::max(0.0, 0.5 * (cosine + cosine_to - aside_m / radius_m));
-  return std::max(0.0, radius_m * (2 * std::sqrt(1 - flattest * flattest) - sine - sine_to));
-}
-
-/// Of ways that head for a side near to one end, and lead away from it at neither.
-HeadsAllAlong all_along(const NearSide& side, const LineExit& exit, const LineExit& other, double farther_m,
-                        double radius_m) {
-  const double own_towards = -dot(outwards(exit), side.inwards) + exit.bent;
-  const double towards = dot(outwards(other), side.inwards) + other.bent;
-  HeadsAllAlong out;
-  out.in_all_m = out.here_only_m = out.there_only_m = farther_m / std::max(towards, own_towards);
-  if (exit.bent > 0 || other.bent > 0) return out;
-  constexpr double kLess_m = 1e-3;  // than the verifier may ask for
-  const Point along = left_of(side.inwards);
-  const double apart_m = (exit.backing < 0 ? 1 : -1) * dot(other.pose.at - exit.pose.at, along);
-  const double sine = dot(exit.pose.heading.unit(), along), sine_to = dot(other.pose.heading.unit(), along);
-  const auto only_m = [&](const LineExit& backing, double sine_of_it, double towards_of_it) {
-    // How far aside the way gets from where it backs so far at the least, and at the most.
-    const double from_m = apart_m + out.in_all_m * sine_of_it, to_m = apart_m + backing.length_m * sine_of_it;
-    if (from_m * to_m <= 0) return out.in_all_m;
-    const double sign = from_m > 0 ? 1 : -1, aside_m = std::min(std::abs(from_m), std::abs(to_m));
-    const double least_m = advances_m(aside_m, sign * sine, sign * sine_to, radius_m) - kLess_m;
-    return (farther_m + std::max(0.0, least_m)) / towards_of_it;
-  };
-  out.here_only_m = std::max(out.in_all_m, only_m(exit, sine, own_towards));
-  out.there_only_m = std::max(out.in_all_m, only_m(other, sine_to, towards));
-  return out;
-}
-
-/// Where the way heads for a side at its other end too, it need not turn away from it, but then it cannot
-/// lead away from it.
-Needed needed_of(const LineExit& exit, const LineExit& other, double radius_m) {
-  Needed out;
-  HeadsAllAlong& least = out.or_all_along;
-  for (const NearSide& side : exit.near) {
-    if (dot(outwards(other), side.inwards) + other.bent > kLeadsAway) {
-      const double farther_m = dot(other.pose.at - exit.pose.at, side.inwards);
-      if (farther_m <= 0) continue;
-      const HeadsAllAlong ways = all_along(side, exit, other, farther_m, radius_m);
-      least.in_all_m = std::min(least.in_all_m, ways.in_all_m);
-      least.here_only_m = std::min(least.here_only_m, ways.here_only_m);
-      least.there_only_m = std::min(least.there_only_m, ways.there_only_m);
-    }
-    out.back_m = std::max(out.back_m.value_or(0), side.back_m);
-  }
-  return out;
 }
 
 }  // namespace
@@ -275,8 +206,8 @@ LeastBacking::OneStop LeastBacking::one_stop(const LineExits& left, const LineEx
 double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, const LineExit& entered,
                                  Along along, const OneStop& may) const {
   if (along == Along::kOppositeWays) return kNever_s;
-  const Needed at_left = needed_of(left, entered, terms_.radius_m),
-               at_entered = needed_of(entered, left, terms_.radius_m);
+  const NeededBacking at_left = needed_backing(left, entered, terms_.radius_m),
+                      at_entered = needed_backing(entered, left, terms_.radius_m);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
   const std::optional<double> out_anyhow = may.in_m ? std::nullopt : std::optional(0.0),
                               in_anyhow = may.out_m ? std::nullopt : std::optional(0.0);
@@ -393,7 +324,8 @@ double LeastBacking::least_between(const LineExit& left, const LineExit& entered
   const Along along = on_strip(left, entered);
   const BackedWays ways(terms_, left, entered);
   if (may.all() && along == Along::kFree && !ways.loop() &&
-      !needed_of(left, entered, terms_.radius_m).back_m && !needed_of(entered, left, terms_.radius_m).back_m)
+      !needed_backing(left, entered, terms_.radius_m).back_m &&
+      !needed_backing(entered, left, terms_.radius_m).back_m)
     return known_s;
   const double beyond_s = least_beyond(left, entered, may);
   if (beyond_s <= known_s) return known_s;

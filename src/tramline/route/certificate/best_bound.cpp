@@ -116,7 +116,6 @@ PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effor
 }
 
 PricedBound best_bound(const ConnectionBounds& bounds, const Neighbours& near, const AscentEffort& effort) {
-  assert(bounds.rings() == 0);
   return best_over(NearJoins(bounds, near), bounds, effort);
 }
 

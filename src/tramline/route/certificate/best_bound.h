@@ -29,7 +29,7 @@ std::size_t usual_steps(std::size_t lines);
 /// over all nodes. Where near nodes were not all that matter, those missing are added and the ascent goes on.
 /// Deterministic. Preconditions: a line or a ring, at most two gates, known_s ≥ 0.
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort);
-/// The same where near nodes are known. Precondition besides: there are no rings.
+/// The same where near nodes are known.
 PricedBound best_bound(const ConnectionBounds& bounds, const Neighbours& near, const AscentEffort& effort);
 
 }  // namespace tramline::order

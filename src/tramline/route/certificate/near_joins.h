@@ -15,7 +15,7 @@ class NearJoins {
  public:
   /// Of each node the cheapest joins among those with the nodes nearest by least(). O(nodes²) calls of that.
   explicit NearJoins(const ConnectionBounds& bounds);
-  /// Of each node the joins with those that are known to be near. Precondition: there are no rings.
+  /// Of each node the joins with those that are known to be near; of nodes beyond these none.
   NearJoins(const ConnectionBounds& bounds, const Neighbours& near);
 
   const std::vector<NodeJoin>& joins() const { return joins_; }
