@@ -25,9 +25,7 @@ ConvexLand land_of(const DriveScene& scene) {
   return {std::move(edges), scene.corners(), scene.machine.radius_m};
 }
 
-bool may_point(const DrivenPlaces& places, const Pose& pose) {
-  return first_on_m({{pose, pose}}, places).has_value();
-}
+bool may_point(const DrivenPlaces& places, const Pose& pose) { return may_be_on({{pose, pose}}, places); }
 
 Pose place(Point at, double clockwise_from_north) {
   return {at, Heading::clockwise_from_north(Angle::degrees(clockwise_from_north))};
@@ -77,7 +75,7 @@ TEST(DrivenPlaces, HoldWhatIsDrivenAndNoMoreThanThePlannerThinks) {
     for (int i = 0; i < 20; ++i) {
       const auto other = tramline::testing::random_drive_scene(random);
       if (!other) continue;
-      if (!first_met_m(planned, {arc_from(other->from, 0, 0, Gear::kForward)})) {
+      if (!may_meet(planned, {arc_from(other->from, 0, 0, Gear::kForward)})) {
         ++ruled_out;
         EXPECT_FALSE(may_point(places, other->from));
       }

@@ -29,12 +29,6 @@ std::vector<HeadingReach::Side> sides_of(const Ring& convex) {
   return out;
 }
 
-SteeredPath standing_at(const Pose& pose) { return {arc_from(pose, 0, 0, Gear::kForward)}; }
-
-bool may_point(const PlacesByHeading& places, const Pose& pose) {
-  return first_met_m(places, standing_at(pose)).has_value();
-}
-
 /// A strip towards the north, 200 m long, and a bar of 12 m that turns by 6 m.
 HeadingReach on_a_strip(double wide_m) {
   Machine machine;
@@ -49,7 +43,7 @@ HeadingReach on_a_strip(double wide_m) {
 // On 21 m it still turns by a right angle, 12 m off the edge, and comes back to its heading.
 TEST(HeadingReach, TurnsRoundWhereTheStripIsAsWideAsItsTurnAndItsBar) {
   const auto reached = [](double wide_m, const Pose& pose) {
-    return may_point(on_a_strip(wide_m).from({{6, 60}, heading_deg(0)}, 1), pose);
+    return may_meet(on_a_strip(wide_m).from({{6, 60}, heading_deg(0)}, 1), pose);
   };
   EXPECT_TRUE(reached(24.1, {{18, 60}, heading_deg(180)}));
   EXPECT_FALSE(reached(21, {{15, 60}, heading_deg(180)}));
@@ -62,25 +56,22 @@ TEST(HeadingReach, TurnsRoundWhereTheStripIsAsWideAsItsTurnAndItsBar) {
 TEST(HeadingReach, InReverseIsWhatLeadsThere) {
   const HeadingReach land = on_a_strip(21);
   const PlacesByHeading before = land.from({{14, 150}, heading_deg(0)}, -1);
-  EXPECT_TRUE(may_point(before, {{6, 60}, heading_deg(0)}));
-  EXPECT_FALSE(may_point(before, {{6, 160}, heading_deg(0)}));
+  EXPECT_TRUE(may_meet(before, {{6, 60}, heading_deg(0)}));
+  EXPECT_FALSE(may_meet(before, {{6, 160}, heading_deg(0)}));
   EXPECT_TRUE(may_meet(before, land.from({{6, 60}, heading_deg(0)}, 1)));
   EXPECT_FALSE(may_meet(before, land.from({{6, 160}, heading_deg(0)}, 1)));
 }
 
-// On a strip too narrow to turn round on the machine that begins 60 m along it is on no place before: 20 m on
-// from 40 m, to the 12 cm by which places are held to be uncertain, and at once on what lies before it.
-TEST(HeadingReach, TellsWhereALineIsMetFirst) {
-  const HeadingReach land = on_a_strip(21);
-  const PlacesByHeading places = land.from({{6, 60}, heading_deg(0)}, 1);
-  const auto north_from = [&](double y) {
-    return first_met_m(places, {arc_from({{6, y}, heading_deg(0)}, 60, 0, Gear::kForward)});
+// Where the machine cannot turn round it gets to no place behind the one where it begins, nor to any that
+// points the other way.
+TEST(HeadingReach, TellsWhetherALineIsMet) {
+  const PlacesByHeading places = on_a_strip(21).from({{6, 60}, heading_deg(0)}, 1);
+  const auto meets = [&](double y, double towards) {
+    return may_meet(places, {arc_from({{6, y}, heading_deg(towards)}, 15, 0, Gear::kForward)});
   };
-  ASSERT_TRUE(north_from(40));
-  EXPECT_NEAR(*north_from(40), 20, 0.13);
-  EXPECT_EQ(north_from(61), 0.0);
-  const SteeredPath south{arc_from({{6, 120}, heading_deg(180)}, 60, 0, Gear::kForward)};
-  EXPECT_FALSE(first_met_m(places, south));
+  EXPECT_FALSE(meets(44, 0));
+  EXPECT_TRUE(meets(46, 0));
+  EXPECT_FALSE(meets(120, 180));
 }
 
 TEST(HeadingReach, HoldsAllThatIsDrivenAtRandom) {
@@ -95,11 +86,9 @@ TEST(HeadingReach, HoldsAllThatIsDrivenAtRandom) {
       const SteeredPath path = testing::driven_at_random(*scene, random);
       for (const SteeredStretch& stretch : path) {
         ++driven;
-        EXPECT_TRUE(may_point(places, end_of(stretch)));
-        constexpr double kBefore_m = 7;
-        const Pose before = moved_on(end_of(stretch), -kBefore_m);
-        EXPECT_LE(first_met_m(places, {arc_from(before, 2 * kBefore_m, 0, Gear::kForward)}).value_or(99),
-                  kBefore_m);
+        EXPECT_TRUE(may_meet(places, end_of(stretch)));
+        const Pose before = moved_on(end_of(stretch), -7);
+        EXPECT_TRUE(may_meet(places, {arc_from(before, 14, 0, Gear::kForward)}));
       }
       if (i > 0 || path.empty()) continue;
       // Where it stops to back it has room.

@@ -98,20 +98,12 @@ bool apart(const Ring& a, const Ring& b) {
   return beyond(a, b) || beyond(b, a);
 }
 
-/// The share of a segment after which it may be in a convex polygon, or next to it; nullopt: it never is.
-std::optional<double> share_until_in(const Ring& ring, Point from, Point to) {
-  double first = 0, last = 1;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point edge = ring[(i + 1) % ring.size()] - ring[i];
-    const double length_m = std::hypot(edge.x, edge.y);
-    if (length_m < kEdge_m) continue;
-    const double begins_m = cross(edge, from - ring[i]) / length_m + kOffLine_m,
-                 ends_m = cross(edge, to - ring[i]) / length_m + kOffLine_m;
-    if (begins_m < 0 && ends_m < 0) return std::nullopt;
-    if (begins_m < 0) first = std::max(first, begins_m / (begins_m - ends_m));
-    if (ends_m < 0) last = std::min(last, begins_m / (begins_m - ends_m));
-  }
-  return first <= last ? std::optional(first) : std::nullopt;
+/// Whether one of the places may be on the chord and point as the pose does.
+bool may_point_on(const Ring& chord, const Pose& pose, const PlacesByHeading& places) {
+  return std::ranges::any_of(sectors_at(pose), [&](std::size_t sector) {
+    const Ring& there = places.places[sector];
+    return !there.empty() && !apart(there, chord);
+  });
 }
 
 /// Directions in which a machine drives that keeps to a sector of headings.
@@ -145,31 +137,26 @@ bool may_meet(const PlacesByHeading& a, const PlacesByHeading& b) {
   return false;
 }
 
-std::optional<double> first_met_m(const PlacesByHeading& places, const SteeredPath& line) {
-  if (!places.followed) return 0;
+bool may_meet(const PlacesByHeading& places, const SteeredPath& line) {
+  if (!places.followed) return true;
   constexpr double kArc = 0.5;  // of a sector: so much of an arc is looked at as its chord
-  double begins_m = 0;
   for (const SteeredStretch& stretch : line) {
-    if (stretch.clothoid()) return begins_m;
+    if (stretch.clothoid()) return true;
     const double turned = std::abs(stretch.curvature_at_start) * stretch.length_m;
     const int parts = 1 + static_cast<int>(turned / (kArc * kSector));
     for (int part = 0; part < parts; ++part) {
       const double step_m = stretch.length_m / parts;
       const Pose from = pose_after(stretch, part * step_m),
                  to = pose_after(stretch, std::min(stretch.length_m, (part + 1) * step_m));
-      std::optional<double> share;
-      for (const Pose& pose : {from, to})
-        for (const std::size_t sector : sectors_at(pose)) {
-          const Ring& there = places.places[sector];
-          if (there.empty()) continue;
-          const std::optional<double> until = share_until_in(there, from.at, to.at);
-          if (until) share = std::min(share.value_or(1), *until);
-        }
-      if (share) return begins_m + part * step_m + *share * distance(from.at, to.at);
+      const Ring chord{from.at, to.at};
+      if (may_point_on(chord, from, places) || may_point_on(chord, to, places)) return true;
     }
-    begins_m += stretch.length_m;
   }
-  return std::nullopt;
+  return false;
+}
+
+bool may_meet(const PlacesByHeading& places, const Pose& pose) {
+  return !places.followed || may_point_on({pose.at}, pose, places);
 }
 
 HeadingReach::HeadingReach(std::vector<Side> sides, const std::vector<Point>& corners, double radius_m)

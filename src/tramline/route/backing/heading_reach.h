@@ -2,7 +2,6 @@
 // Where a machine gets on convex land without a change of gear, by its heading.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -22,9 +21,10 @@ struct PlacesByHeading {
 
 /// Whether a machine may be at one place and in one sector of both.
 bool may_meet(const PlacesByHeading& a, const PlacesByHeading& b);
-/// How far along the line, m, one of the places may be on it, and point as the line's machine does there, at
-/// the least; nullopt: none is on it anywhere.
-std::optional<double> first_met_m(const PlacesByHeading& places, const SteeredPath& line);
+/// Whether one of the places may be on the line, and point as the line's machine does there.
+bool may_meet(const PlacesByHeading& places, const SteeredPath& line);
+/// Whether the machine may be at this place and point as there.
+bool may_meet(const PlacesByHeading& places, const Pose& pose);
 
 /// Follows a machine over all ways that it may drive on convex land, from one sector of headings to the next.
 ///

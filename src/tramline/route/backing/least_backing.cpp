@@ -194,10 +194,11 @@ double LeastBacking::lacking_m(const LineExit& left, const LineExit& entered) co
 LeastBacking::OneStop LeastBacking::one_stop(const LineExits& left, const LineExits& entered) {
   if (!left.reached || !entered.reached) return {};
   const ExitReach &from = *left.reached, &to = *entered.reached;
-  OneStop out{first_met_m(*to.off, from.line), first_met_m(*from.off, to.line),
-              may_meet(*from.beyond, *to.off), may_meet(*from.off, *to.beyond)};
-  const bool forward = out.out_m == 0.0 && out.in_m == 0.0;
-  out.least_stops = forward ? 0 : out.out_m || out.in_m || out.out_and_on || out.in_and_on ? 1 : 2;
+  OneStop out{may_meet(*to.off, from.line), may_meet(*from.off, to.line), may_meet(*from.beyond, *to.off),
+              may_meet(*from.off, *to.beyond)};
+  const bool none = may_meet(*to.off, left.whole.pose) && may_meet(*from.off, entered.whole.pose);
+  const bool one = out.out || out.in || out.out_and_on || out.in_and_on;
+  out.least_stops = none ? 0 : one ? 1 : 2;
   return out;
 }
 
@@ -209,21 +210,19 @@ double LeastBacking::least_along(const BackedWays& ways, const LineExit& left, c
   const NeededBacking at_left = needed_backing(left, entered, terms_.radius_m),
                       at_entered = needed_backing(entered, left, terms_.radius_m);
   const double in_all_m = along == Along::kSameWay ? lacking_m(left, entered) : 0;
-  const std::optional<double> out_anyhow = may.in_m ? std::nullopt : std::optional(0.0),
-                              in_anyhow = may.out_m ? std::nullopt : std::optional(0.0);
-  const double only_out_m = may.out_m.value_or(0), only_in_m = may.in_m.value_or(0);
+  const std::optional<double> out_anyhow = may.in ? std::nullopt : std::optional(0.0),
+                              in_anyhow = may.out ? std::nullopt : std::optional(0.0);
   const double turning_s =
-      ways.least_s({std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m,
-                    only_out_m, only_in_m, may.least_stops},
+      ways.least_s({std::max(at_left.back_m, out_anyhow), std::max(at_entered.back_m, in_anyhow), in_all_m, 0,
+                    0, may.least_stops},
                    kNever_s);
   const HeadsAllAlong &of_left = at_left.or_all_along, &of_entered = at_entered.or_all_along;
   const double or_in_all_m = std::min(of_left.in_all_m, of_entered.in_all_m);
   if (or_in_all_m == kNowhere_m) return turning_s;
-  return ways.least_s(
-      {out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
-       std::max(only_out_m, std::min(of_left.here_only_m, of_entered.there_only_m)),
-       std::max(only_in_m, std::min(of_left.there_only_m, of_entered.here_only_m)), may.least_stops},
-      turning_s);
+  return ways.least_s({out_anyhow, in_anyhow, std::max(in_all_m, or_in_all_m),
+                       std::min(of_left.here_only_m, of_entered.there_only_m),
+                       std::min(of_left.there_only_m, of_entered.here_only_m), may.least_stops},
+                      turning_s);
 }
 
 /// From a pose that leads away from a side, backing on (`sense` +1), or forward on from one that leads to it
@@ -278,10 +277,9 @@ double LeastBacking::least_beyond(const LineExit& left, const LineExit& entered,
            reeds_shepp_length(from, to, terms_.radius_m) / fastest_mps -
            other.behind_m / terms_.turning.turning_speed_mps;
   };
-  return std::min(seconds(left, entered, backed(left, left.length_m), entered.pose, may.out_m.has_value(),
-                          may.out_and_on),
-                  seconds(entered, left, left.pose, backed(entered, entered.length_m), may.in_m.has_value(),
-                          may.in_and_on));
+  return std::min(
+      seconds(left, entered, backed(left, left.length_m), entered.pose, may.out, may.out_and_on),
+      seconds(entered, left, left.pose, backed(entered, entered.length_m), may.in, may.in_and_on));
 }
 
 double LeastBacking::between(const LineExits& left, const LineExits& entered, double known_s) const {
@@ -293,9 +291,7 @@ double LeastBacking::between(const LineExits& left, const LineExits& entered, do
 
 double LeastBacking::to_ring(const LineExits& exits, std::span<const SteeredPath> ring,
                              const LeastOnFrom& on_s, double known_s) const {
-  const auto driven_to = [&](const SteeredPath& line) {
-    return first_met_m(*exits.reached->off, line).has_value();
-  };
+  const auto driven_to = [&](const SteeredPath& line) { return may_meet(*exits.reached->off, line); };
   if (!exits.reached || std::ranges::any_of(ring, driven_to)) return known_s;
   return std::max(known_s, least_backed_first_s(terms_, exits.whole, on_s));
 }

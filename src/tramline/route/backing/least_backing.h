@@ -31,8 +31,8 @@ namespace tramline {
 /// no room to come parallel: so it does not get far along that side before it stops, nor forward to where
 /// another line begins too near to a side that it heads for. Then it has to stop to back once more.
 /// Of few lines it is followed to all places and headings that it gets to without a stop (HeadingReach),
-/// which tells whether a way has to back at all, along which of the two lines and how far at least, and
-/// whether one to a closed pass has to. Each stop to back counts `stop_s` besides its time. Not for several
+/// which tells whether a way has to back at all, and along which of the two lines, and whether one to a
+/// closed pass has to. Each stop to back counts `stop_s` besides its time. Not for several
 /// threads.
 class LeastBacking {
  public:
@@ -81,13 +81,12 @@ class LeastBacking {
   };
   Aslant aslant(const Side& side, const Pose& pose, double sense) const;
   bool one_stop_may_do(const LineExit& exit, const LineExit& other) const;
-  /// Whether a way may do with one stop: to back along the line that it leaves or the one that it enters, by
-  /// so much at least, m (nullopt: by nothing that does), or all along that and on.
+  /// Whether a way may do with one stop: to back along the line that it leaves or the one that it enters, or
+  /// all along that and on.
   struct OneStop {
-    std::optional<double> out_m = 0, in_m = 0;
+    bool out = true, in = true;
     bool out_and_on = true, in_and_on = true;
-    /// None where it need not back along either, two where one never does.
-    int least_stops = 0;
+    int least_stops = 0;  ///< none where it need not back along either, two where one never does
     bool all() const { return least_stops == 0 && out_and_on && in_and_on; }
   };
   static OneStop one_stop(const LineExits& left, const LineExits& entered);

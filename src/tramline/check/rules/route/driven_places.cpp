@@ -209,27 +209,19 @@ bool may_be_common(const DrivenPlaces& a, const DrivenPlaces& b) {
   return false;
 }
 
-std::optional<double> first_on_m(const std::vector<LineStep>& line, const DrivenPlaces& places) {
-  if (places.everywhere) return 0;
+bool may_be_on(const std::vector<LineStep>& line, const DrivenPlaces& places) {
+  if (places.everywhere) return true;
   constexpr double kAtBound = 1e-7;  // of a sector
-  double before_m = 0;
   for (const LineStep& step : line) {
     const Ring chord{step.from.at, step.to.at};
-    std::optional<double> first_m;
     for (const double heading : {heading_in_sectors(step.from), heading_in_sectors(step.to)})
       for (const double aside : {-kAtBound, kAtBound}) {
         const Ring& there =
             places.in[static_cast<std::size_t>(wrapped(static_cast<int>(std::floor(heading + aside))))];
-        if (there.empty()) continue;
-        for (const Point p : common_part(chord, there)) {
-          const double along_m = distance(step.from.at, p);
-          first_m = std::min(first_m.value_or(along_m), along_m);
-        }
+        if (!there.empty() && !common_part(chord, there).empty()) return true;
       }
-    if (first_m) return before_m + *first_m;
-    before_m += distance(step.from.at, step.to.at);
   }
-  return std::nullopt;
+  return false;
 }
 
 ConvexLand::ConvexLand(std::vector<Edge> edges, std::vector<Point> corners, double radius_m)

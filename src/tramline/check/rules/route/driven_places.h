@@ -1,7 +1,6 @@
 #pragma once
 // Where a machine gets on convex land without a change of gear: facts of the rule about the bound of a route.
 
-#include <optional>
 #include <vector>
 
 #include "tramline/geometry/path/steered_path.h"
@@ -23,9 +22,8 @@ struct LineStep {
 
 /// Whether a machine may be at one place of both, pointing into the same sector, to 5 cm.
 bool may_be_common(const DrivenPlaces& a, const DrivenPlaces& b);
-/// The first place on the line, by how far along it, m, that may be one of them, pointing as the machine does
-/// there, to 5 cm; nullopt: none.
-std::optional<double> first_on_m(const std::vector<LineStep>& line, const DrivenPlaces& places);
+/// Whether one of the places may lie on the line, pointing as the machine does there, to 5 cm.
+bool may_be_on(const std::vector<LineStep>& line, const DrivenPlaces& places);
 
 /// The half planes that the land lies in, and the outline that has to stay in them at every heading that is a
 /// multiple of 5°. To turn from one of these to the next takes a machine 2 r sin 2.5° along the heading

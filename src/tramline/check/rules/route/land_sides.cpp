@@ -205,7 +205,7 @@ std::vector<LineStep> LandSides::round(const WorkedCourse& pass) const {
 /// To back into the pass is to back along it, from another of its places: so it backs along the line.
 double LandSides::with_stop_s(const LineEnd& end, const std::vector<LineStep>& pass,
                               const std::function<double(const Pose&)>& on_s) const {
-  if (!land_ || first_on_m(pass, places_from(end.all.at, -end.all.sense))) return 0;
+  if (!land_ || may_be_on(pass, places_from(end.all.at, -end.all.sense))) return 0;
   return least_backed_first_s(costs_, end.all, on_s);
 }
 
@@ -289,10 +289,14 @@ const DrivenPlaces& LandSides::places_from(const Pose& at, double sense) const {
 LandSides::SingleStop LandSides::single_stop(const LineEnd& from, const LineEnd& to) const {
   if (!land_ || from.line.empty() || to.line.empty()) return {};
   const DrivenPlaces &leaves = places_from(from.all.at, 1), &enters = places_from(to.all.at, -1);
-  SingleStop out{first_on_m(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
-                 first_on_m(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
-  const bool once = out.out_m || out.in_m || out.out_and_on || out.in_and_on;
-  out.stops = out.out_m.value_or(1) + out.in_m.value_or(1) <= 0 ? 0 : once ? 1 : 2;
+  SingleStop out{may_be_on(from.line, enters), may_be_common(places_from(from.line.back().to, -1), enters),
+                 may_be_on(to.line, leaves), may_be_common(places_from(to.line.back().to, 1), leaves)};
+  const auto leads_forward = [](const Pose& at, const DrivenPlaces& places) {
+    return may_be_on({{at, at}}, places);
+  };
+  const bool once = out.out || out.in || out.out_and_on || out.in_and_on;
+  const bool forward = leads_forward(from.all.at, enters) && leads_forward(to.all.at, leaves);
+  out.stops = forward ? 0 : once ? 1 : 2;
   return out;
 }
 
@@ -300,7 +304,7 @@ LandSides::SingleStop LandSides::single_stop(const LineEnd& from, const LineEnd&
 double LandSides::farther_s(const WayEnd& from, const WayEnd& to, const SingleStop& may) const {
   const double fastest_mps = std::max(costs_.turning.turning_speed_mps, costs_.turning.reverse_speed_mps);
   const auto beyond_s = [&](const WayEnd& end, const WayEnd& other) {
-    const bool along = (&end == &from ? may.out_m : may.in_m) && !end.to_far_end;
+    const bool along = (&end == &from ? may.out : may.in) && !end.to_far_end;
     const bool on = (&end == &from ? may.out_and_on : may.in_and_on) && reached_by_one_stop(end, other);
     return std::max(may.stops, along || on ? 1 : 2) * costs_.stop_s +
            (end.behind_m + end.follows_m) / costs_.turning.reverse_speed_mps +
@@ -321,17 +325,15 @@ double LandSides::along_lines_s(const WayEnd& from, const WayEnd& to, const Sing
     back_m = std::max(0.0, sense * dot(from.at.at - to.at.at, band_));
   }
   // A way that cannot do with a stop at one line backs along the other.
-  const std::optional<double> out_m = may.in_m ? std::nullopt : std::optional(0.0),
-                              in_m = may.out_m ? std::nullopt : std::optional(0.0);
-  const double out_alone_m = may.out_m.value_or(0), in_alone_m = may.in_m.value_or(0);
-  std::vector<BackedAsAsked> ways{{std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m,
-                                   out_alone_m, in_alone_m, may.stops}};
+  const std::optional<double> out_m = may.in ? std::nullopt : std::optional(0.0),
+                              in_m = may.out ? std::nullopt : std::optional(0.0);
+  std::vector<BackedAsAsked> ways{
+      {std::max(of_from.back_m, out_m), std::max(of_to.back_m, in_m), back_m, 0, 0, may.stops}};
   const Instead &one = of_from.instead, &other = of_to.instead;
   const double together_m = std::min(one.together_m, other.together_m);
   if (together_m < kNever_s)
-    ways.push_back({out_m, in_m, std::max(back_m, together_m),
-                    std::max(out_alone_m, std::min(one.here_m, other.there_m)),
-                    std::max(in_alone_m, std::min(one.there_m, other.here_m)), may.stops});
+    ways.push_back({out_m, in_m, std::max(back_m, together_m), std::min(one.here_m, other.there_m),
+                    std::min(one.there_m, other.here_m), may.stops});
   return least_backed_s(costs_, from, to, ways, known_s);
 }
 

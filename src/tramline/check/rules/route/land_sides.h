@@ -25,7 +25,7 @@ namespace tramline::check {
 /// no farther along the side than it gets aslant to it, backing and going forward, and not where it would
 /// have to turn away from a side too near to that beginning; else it stops once more. Where that is not
 /// enough, the places are followed that it gets to without a stop from either line (ConvexLand): where they
-/// are not common, it stops once more, too, and backs along a line at least until they are; and so it stops
+/// are not common, it stops once more, too; and so it stops
 /// on its way to a closed pass on which none of them lies. Each stop to back counts besides its time as the
 /// plan says.
 class LandSides {
@@ -70,13 +70,9 @@ class LandSides {
   };
   MovesOn moves_on(const HullSide& side, const Pose& at, double works) const;
   bool reached_by_one_stop(const WayEnd& all_along, const WayEnd& other) const;
-  /// What a single stop may do: to back out of the one line or into the other, from so far along it on, m
-  /// (nullopt: nowhere), or all along it and on.
+  /// What a single stop may do: to back out of the one line or into the other, or all along it and on.
   struct SingleStop {
-    std::optional<double> out_m = 0;
-    bool out_and_on = true;
-    std::optional<double> in_m = 0;
-    bool in_and_on = true;
+    bool out = true, out_and_on = true, in = true, in_and_on = true;
     int stops = 0;  ///< at least: none from the end of the one line straight to the beginning of the other
   };
   const DrivenPlaces& places_from(const Pose& at, double sense) const;
