@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-constexpr double kTurnsBy_m = 6, kThirtyDegrees = std::numbers::pi / 6;
+constexpr double kTurnsBy_m = 6;
 
 /// Straight on, then an arc to the left or (a negative curvature) to the right, and straight on again.
 SteeredPath round_a_corner(double before_m, double arc_m, double curvature, double behind_m) {
@@ -24,33 +24,6 @@ SteeredPath round_a_corner(double before_m, double arc_m, double curvature, doub
     at = end_of(out.back());
   }
   return out;
-}
-
-TEST(GentleRun, FollowsAnArcUntilItHasTurnedBy30Degrees) {
-  for (const double curvature : {1.0 / 12, -1.0 / 12}) {
-    const SteeredPath line = round_a_corner(10, 12 * std::numbers::pi / 2, curvature, 50);
-    const GentleRun run = first_run(line, kTurnsBy_m);
-    EXPECT_NEAR(length(run.line), 10 + 12 * kThirtyDegrees, 1e-9);
-    EXPECT_NEAR(run.bent, 0.5, 1e-9);
-    EXPECT_EQ(run.whole, 1U);
-    EXPECT_FALSE(run.to_end);
-    // In reverse from its end: 50 m, and on to 30° from the heading there.
-    EXPECT_NEAR(length(first_run(retraced(line), kTurnsBy_m).line), 50 + 12 * kThirtyDegrees, 1e-9);
-  }
-}
-
-// Turned by 20° to the left first, it may turn by 50° to the right.
-TEST(GentleRun, CountsFromTheHeadingWithWhichItBegins) {
-  const double twenty = std::numbers::pi / 9;
-  SteeredPath line = round_a_corner(0, 20 * twenty, 1.0 / 20, 0);
-  line.push_back(arc_from(end_of(line.back()), 12 * std::numbers::pi, -1.0 / 12, Gear::kForward));
-  EXPECT_NEAR(length(first_run(line, kTurnsBy_m).line), 20 * twenty + 12 * (twenty + kThirtyDegrees), 1e-9);
-}
-
-// A full circle points where it began, and turns as far as can be.
-TEST(GentleRun, IsNotAllOfACircle) {
-  const SteeredPath circle = round_a_corner(0, 24 * std::numbers::pi, 1.0 / 12, 0);
-  EXPECT_NEAR(length(first_run(circle, kTurnsBy_m).line), 12 * kThirtyDegrees, 1e-9);
 }
 
 TEST(GentleRun, IsAllOfALineThatBendsLittle) {

@@ -12,22 +12,12 @@ constexpr double kBent = 0.5;
 /// Stretches meet without a kink where their headings differ by no more than this sine, and are no sharper
 /// than the machine turns where their radii are no less than its own by more than this share.
 constexpr double kNoKink = 1e-6, kSharper = 1e-6;
-/// Shorter parts of stretches are not followed, m.
-constexpr double kLeastPart_m = 0.01;
 /// A run is longer than another where it is so by this, m.
 constexpr double kLonger_m = 1;
 
 double turned(const Pose& pose, Point from) {
   const Point heading = pose.heading.unit();
   return dot(heading, from) > 0 ? std::abs(cross(heading, from)) : 1;
-}
-
-/// How far along a stretch the machine drives until it points as far aside as lines are followed, m.
-double until_bent_m(const SteeredStretch& arc, Point begins) {
-  const double rate = (arc.gear == Gear::kForward ? 1 : -1) * arc.curvature_at_start;
-  if (rate == 0) return arc.length_m;
-  const double aside = std::asin(std::clamp(cross(begins, arc.start.heading.unit()), -1.0, 1.0));
-  return (std::asin(kBent) - std::copysign(1.0, rate) * aside) / std::abs(rate);
 }
 
 bool can_drive_on(const SteeredStretch& stretch, const Pose& before, double radius_m) {
@@ -43,17 +33,14 @@ GentleRun first_run(std::span<const SteeredStretch> line, double radius_m) {
   const Point begins = line.front().start.heading.unit();
   Pose before = line.front().start;
   for (const SteeredStretch& stretch : line) {
-    if (!can_drive_on(stretch, before, radius_m) || turned(stretch.start, begins) > kBent) break;
-    const double follows_m = std::min(stretch.length_m, until_bent_m(stretch, begins));
-    if (follows_m < stretch.length_m && follows_m < kLeastPart_m) break;
+    const Pose end = end_of(stretch);
+    if (!can_drive_on(stretch, before, radius_m)) break;
+    if (std::max(turned(stretch.start, begins), turned(end, begins)) > kBent) break;
+    out.bent = std::max(out.bent, turned(end, begins));
     out.line.push_back(stretch);
-    out.line.back().length_m = follows_m;
-    before = end_of(out.line.back());
-    out.bent = std::max(out.bent, std::min(kBent, turned(before, begins)));
-    if (follows_m < stretch.length_m) break;
-    ++out.whole;
+    before = end;
   }
-  out.to_end = out.whole == line.size();
+  out.to_end = out.line.size() == line.size();
   return out;
 }
 
@@ -65,11 +52,10 @@ std::optional<GentleRun> longest_run_behind_bends(const SteeredPath& line, doubl
   double longest_m = length(run.line);
   while (!run.to_end) {
     // Over the stretch that turns too far, and on from there.
-    const Pose before = run.whole == 0 ? rest.front().start : end_of(rest[run.whole - 1]);
-    const SteeredStretch& bend = rest[run.whole];
-    double begins_m = run.begins_m + bend.length_m;
-    for (const SteeredStretch& followed : rest.first(run.whole)) begins_m += followed.length_m;
-    rest = rest.subspan(run.whole + 1);
+    const Pose before = run.line.empty() ? rest.front().start : end_of(run.line.back());
+    const SteeredStretch& bend = rest[run.line.size()];
+    const double begins_m = run.begins_m + length(run.line) + bend.length_m;
+    rest = rest.subspan(run.line.size() + 1);
     if (!can_drive_on(bend, before, radius_m) || rest.empty()) break;
     if (!can_drive_on(rest.front(), end_of(bend), radius_m)) break;
     run = first_run(rest, radius_m);

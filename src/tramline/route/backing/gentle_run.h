@@ -1,7 +1,6 @@
 #pragma once
 // Stretches of lines along which a machine may back with about the same heading.
 
-#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -13,10 +12,9 @@ namespace tramline {
 /// sharper than the machine turns.
 struct GentleRun {
   SteeredPath line{};
-  double bent = 0;        ///< by how much it turns, as a sine
-  double begins_m = 0;    ///< so far along the line
-  bool to_end = false;    ///< of the line
-  std::size_t whole = 0;  ///< stretches of the line that it has all of: of the next one it may have a part
+  double bent = 0;      ///< by how much it turns, as a sine
+  double begins_m = 0;  ///< so far along the line
+  bool to_end = false;  ///< of the line
 };
 
 /// The run with which a line begins; empty where that is too sharp. O(n). Precondition: the line has a

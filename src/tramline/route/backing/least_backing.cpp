@@ -142,9 +142,8 @@ LineExits LeastBacking::exits_of(const SteeredPath& line, double backing, double
   const Pose& pose = line.front().start;
   LineExits out{exit_of(first_run(line, terms_.radius_m), pose, backing, straight_on_m)};
   const auto bend = std::ranges::find_if_not(line, straight);
-  if (out.whole.bent > 0) {
-    GentleRun until_it_bends;
-    if (bend != line.begin()) until_it_bends = first_run({line.begin(), bend}, terms_.radius_m);
+  if (out.whole.bent > 0 && bend != line.begin()) {
+    GentleRun until_it_bends = first_run({line.begin(), bend}, terms_.radius_m);
     until_it_bends.to_end = false;
     out.straight = exit_of(std::move(until_it_bends), pose, backing, straight_on_m);
   }

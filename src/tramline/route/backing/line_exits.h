@@ -50,7 +50,7 @@ struct ExitReach {
 /// where bends are followed, less is known of the heading from which it goes on.
 struct LineExits {
   LineExit whole;
-  std::optional<LineExit> straight{};     ///< of a line that bends: none of it where it begins with a bend
+  std::optional<LineExit> straight{};     ///< of a line that begins straight and bends
   std::optional<LineExit> behind_bend{};  ///< of a line that turns far, the longest part
   std::optional<ExitReach> reached{};     ///< where it is followed
 };

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace tramline::check {
@@ -13,24 +12,8 @@ namespace {
 constexpr double kTurnsAtMost = 0.5;
 constexpr double kKink = 1e-6, kSharperShare = 1e-6;
 constexpr double kSamePlace_m = 1e-6;
-/// Parts of pieces tell nothing that are shorter, m.
-constexpr double kLeastPart_m = 0.02;
 
 double turned(Point ahead, Point from) { return dot(ahead, from) > 0 ? std::abs(cross(ahead, from)) : 1; }
-
-/// How much of a piece it follows until it is turned as far as lines are followed, by halving.
-double part_turned_little(const WayEnd& end, double at_m, const LinePiece& piece) {
-  const Point heading = end.at.heading.unit();
-  const auto turned_at = [&](double on_m) { return turned(end.backed(at_m + on_m).heading.unit(), heading); };
-  const double quarter = 0.5 * std::numbers::pi, turns = std::abs(piece.curvature) * piece.length_m;
-  double less_m = 0, more_m = turns > quarter ? quarter / std::abs(piece.curvature) : piece.length_m;
-  if (turns <= quarter && turned_at(more_m) <= kTurnsAtMost) return piece.length_m;
-  for (int i = 0; i < 50; ++i) {
-    const double middle_m = 0.5 * (less_m + more_m);
-    (turned_at(middle_m) <= kTurnsAtMost ? less_m : more_m) = middle_m;
-  }
-  return less_m;
-}
 
 }  // namespace
 
@@ -87,21 +70,13 @@ void follow_line(WayEnd& end, double radius_m, Followed followed) {
     if (turned(first, before) > kKink) break;
     if (followed == Followed::kStraight && piece.curvature != 0) break;
     if (!can_drive(piece, radius_m)) break;
-    if (turned(first, heading) > kTurnsAtMost) break;
-    const double part_m = part_turned_little(end, at_m, piece);
-    if (part_m < piece.length_m) {
-      if (part_m < kLeastPart_m) break;
-      end.turns = kTurnsAtMost;
-      end.follows_m = at_m + part_m;
-      break;
-    }
+    if (std::max(turned(first, heading), turned(last, heading)) > kTurnsAtMost) break;
     end.turns = std::max(end.turns, turned(last, heading));
     before = last;
     at_m += piece.length_m;
-    end.follows_m = at_m;
     end.to_far_end = &piece == &pieces.back();
   }
-  end.unbroken_m = at_m;
+  end.follows_m = at_m;
 }
 
 }  // namespace tramline::check

@@ -169,13 +169,13 @@ std::vector<WayEnd> LandSides::behind_bends(const WayEnd& all) const {
   double longest_m = all.follows_m;
   for (WayEnd last = all; !last.to_far_end;) {
     const std::vector<LinePiece> rest =
-        pieces_behind(*last.course, last.sense, last.behind_m + last.unbroken_m);
+        pieces_behind(*last.course, last.sense, last.behind_m + last.follows_m);
     if (rest.size() < 2 || !can_drive(rest.front(), costs_.radius_m)) break;
     const double bend_m = rest.front().length_m;
-    if (last.unbroken_m > 0 && kinked_at(last, last.unbroken_m)) break;
-    if (kinked_at(last, last.unbroken_m + bend_m)) break;
+    if (last.follows_m > 0 && kinked_at(last, last.follows_m)) break;
+    if (kinked_at(last, last.follows_m + bend_m)) break;
     last = way_end(*all.course, all.from_m, all.sense, 0, Followed::kAll,
-                   last.behind_m + last.unbroken_m + bend_m);
+                   last.behind_m + last.follows_m + bend_m);
     if (last.follows_m <= longest_m) continue;
     longest_m = last.follows_m;
     out.push_back(last);

@@ -43,7 +43,6 @@ struct WayEnd {
   double sense = 0;     ///< of backing along it: -1 or +1
   double behind_m = 0;  ///< so far behind a bend: ways lead off or to the end of all of the line
   double follows_m = 0;
-  double unbroken_m = 0;    ///< of that up to the last piece that is followed from end to end
   bool to_far_end = false;  ///< it follows all of the line
   double turns = 0;         ///< the greatest sine of the angle between the line and `off`
   std::vector<SideAhead> sides{};
